@@ -43,7 +43,7 @@ lint() {
 # Replays the golden and the shipped motions bit for bit: replay_motions <name> <command that runs gaitsmith...>
 replay_motions() {
   local name=$1 document; shift
-  for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
+  for document in tests/golden/{motions,limited,springs}/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
     echo "$name: $document"
     "$@" validate "$document"
   done
@@ -91,10 +91,11 @@ check_aarch64() {
   cmake -G Ninja -B build/aarch64 -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE=.dev/aarch64.cmake >/dev/null
   cmake --build build/aarch64 --target gaitsmith
   replay_motions aarch64 "${qemu[@]}"
-  for search in sphc cma-es ssga; do
+  for search in "mr-star-man sphc" "mr-star-man cma-es" "mr-star-man ssga" "walking-table pose-cycle"; do
     echo "aarch64: $search"
-    here=$(build/tests/shell/gaitsmith synthesize --search "$search" --evaluations 400 --out -)
-    there=$("${qemu[@]}" synthesize --search "$search" --evaluations 400 --out -)
+    set -- --figure "${search% *}" --search "${search#* }" --evaluations 400 --out -
+    here=$(build/tests/shell/gaitsmith synthesize "$@")
+    there=$("${qemu[@]}" synthesize "$@")
     [ "$here" = "$there" ] || die "$search finds another motion on aarch64"
   done
 }

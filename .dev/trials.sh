@@ -33,7 +33,7 @@ fuzz() {
     log=build/fuzz/$name.log
     say "$name: $seconds s"
     "build/fuzz/tests/fuzz/${name}_fuzz" -seed=$seed -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 -print_final_stats=1 -max_len=20000 \
-      "$corpus/$name" build/fuzz/links examples tests/golden/motions tests/golden/limited tests/golden/controllers tests/adversary/finds >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
+      "$corpus/$name" build/fuzz/links examples tests/golden/motions tests/golden/limited tests/golden/springs tests/golden/controllers tests/adversary/finds >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
     runs=$(awk '/number_of_executed_units/ { print $2 }' "$log")
     say "$name: $runs runs, nothing found"
     if [ "$seconds" -ge 600 ]; then

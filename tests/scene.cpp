@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/document/json.h"
+#include "core/rollout/models.h"
 
 namespace gaitsmith::test {
 
@@ -114,7 +115,7 @@ Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, 
 
 Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed) {
   RandomStream random(seed, 5, 0);
-  const BankShape shape(10, senses.kind, figure.Rods());
+  const BankShape shape(10, senses.kind, CountPorts(figure.HasSprings() ? kSpringModel : 1, figure));
   return {"random", ControllerKind::kRules, senses, 10, RandomGenome(shape, senses, Variation{}, random)};
 }
 
@@ -127,6 +128,8 @@ Motion MotionOf(const Figure& figure, const Environment& environment, const Star
 std::vector<std::string> GoldenMotions() { return DocumentsIn("tests/golden/motions"); }
 
 std::vector<std::string> GoldenLimitedMotions() { return DocumentsIn("tests/golden/limited"); }
+
+std::vector<std::string> GoldenSpringMotions() { return DocumentsIn("tests/golden/springs"); }
 
 std::vector<std::string> ShippedDocuments() {
   std::vector<std::string> names = DocumentsIn("examples");

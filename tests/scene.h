@@ -46,6 +46,8 @@ Terms AtEnd(const Motion&);
 std::vector<std::string> GoldenMotions();
 /// The same for joints of limited strength, model 2.
 std::vector<std::string> GoldenLimitedMotions();
+/// The same for figures of springs, model 3.
+std::vector<std::string> GoldenSpringMotions();
 
 /// The documents of examples/, of its gallery and of its lessons, each sorted by name.
 std::vector<std::string> ShippedDocuments();

@@ -145,6 +145,9 @@ Result<void> CheckShown(const Demonstration& shown, const Figure& figure, const 
       return Fail(ErrorCode::kStructure, where + "." + Element("shown.way", i, "step"),
                   "must be after the point before it");
   }
+  if (!shown.pose_rad.empty() && figure.HasSprings())
+    return Fail(ErrorCode::kStructure, where + ".shown.pose",
+                "is for figures of rods, and this one has springs");
   const auto joints = static_cast<std::size_t>(figure.Joints());
   if (!shown.pose_rad.empty() && shown.pose_rad.size() != joints)
     return Fail(ErrorCode::kStructure, where + ".shown.pose",

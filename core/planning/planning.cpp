@@ -6,6 +6,8 @@
 namespace gaitsmith {
 
 Result<void> CanBePlanned(const Document& d) {
+  if (d.figure.HasSprings())
+    return Fail(ErrorCode::kStructure, "plan", "figures of springs have no keyframes");
   if (d.plan.Empty()) return Fail(ErrorCode::kMissing, "plan", "has no keyframe");
   if (d.figure.Joints() == 0) return Fail(ErrorCode::kMissing, "figure", "has no joint that could move it");
   return CheckScene(SceneOf(d));

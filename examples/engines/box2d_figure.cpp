@@ -179,9 +179,11 @@ void Feel(const Controller& kind, const Figure2d& figure, const gaitsmith_contro
 int main(int count, char** words) {
   std::ifstream file(count > 1 ? words[1] : "");
   const auto document = DecodeJson(std::string(std::istreambuf_iterator<char>(file), {}));
-  if (!document || !shell::HasController(*document)) {
+  if (!document || !shell::HasController(*document) || document->figure.HasSprings()) {
     std::fprintf(stderr, "box2d_figure DOC [seconds] [substeps]: %s\n",
-                 document ? "it has no controller" : document.error().Sentence().c_str());
+                 !document                       ? document.error().Sentence().c_str()
+                 : document->figure.HasSprings() ? "it is a figure of springs, and bodies here are of rods"
+                                                 : "it has no controller");
     return 1;
   }
   const std::string text = shell::ControllerJson(*document);

@@ -69,6 +69,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [engine, file, ...options] = process.argv.slice(2);
   const option = (/** @type {string} */ name, standard = '') => (options.includes(name) ? options[options.indexOf(name) + 1] : standard);
   const controller = load(readFileSync(file, 'utf8'));
+  if (controller.figure.nodes) throw new Error(`${file}: is of a figure of springs, and these engines get bodies of rods`);
   const mjcf = option('--mjcf') && readFileSync(option('--mjcf'), 'utf8');
   const body = await (await engineOf(engine, mjcf))(controller, { joint_nm: strongJoint(controller), substeps: option('--substeps') ? Number(option('--substeps')) : undefined });
   const pushes = option('--push') ? [option('--push').split('@').map(Number)].map(([vx, at]) => ({ vx, at })) : [];

@@ -126,6 +126,8 @@ Result<void> SetWay(const std::string& text, Document& document) {
 }
 
 Result<void> SetPose(const std::string& text, Document& document) {
+  if (document.figure.HasSprings())
+    return Fail(ErrorCode::kStructure, "--pose", "is for figures of rods, and this one has springs");
   const auto numbers = NumbersOf(text, ':', "--pose");
   if (!numbers) return std::unexpected(numbers.error());
   const auto joints = static_cast<std::size_t>(document.figure.Joints());

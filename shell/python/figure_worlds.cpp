@@ -109,7 +109,7 @@ class WorldsOf final : public FigureWorlds {
       }
       return names;
     }
-    for (const char* part : {"theta_", "rate_"}) {
+    for (const char* part : {ports_.muscles ? "length_" : "theta_", "rate_"}) {
       for (int joint = 1; joint <= ports_.Count().actuators; ++joint)
         names.push_back(part + std::to_string(joint));
     }

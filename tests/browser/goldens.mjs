@@ -15,11 +15,13 @@ export async function documentsIn(folder) {
   }));
 }
 
-export const goldenMotions = async () => [...await documentsIn('tests/golden/motions'), ...await documentsIn('tests/golden/limited')];
+export const goldenMotions = async () => (await Promise.all(['motions', 'limited', 'springs'].map((folder) => documentsIn(`tests/golden/${folder}`)))).flat();
 
 /** The links that open for ever, of every version of the format. @returns {Promise<Golden[]>} */
 export async function goldenLinks() {
-  const all = await Promise.all([1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(async (version) => {
+  const files = (await readdir(join(ROOT, 'tests/golden/links'))).map((file) => /^version-(\d+)\.txt$/.exec(file)?.[1]);
+  const versions = files.filter((version) => version !== undefined).map(Number).sort((a, b) => a - b);
+  const all = await Promise.all(versions.map(async (version) => {
     const lines = (await readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8')).split('\n');
     return lines.filter((line) => /^[0-9a-f]{16} /.test(line)).map((line) => line.split(' '))
       .map(([hash, text]) => ({ name: `version ${version}: ${text.slice(0, 40)}…`, text, hash }));

@@ -20,7 +20,7 @@ same() { [ "$1" = "$2" ] || fault "$3: '$1' is not '$2'"; }
 golden=$root/tests/golden/motions/star-man-physical.json
 hash=$("$gaitsmith" hash "$golden")
 same "$hash" "$(sed -n 's/.*"hash": "\([0-9a-f]*\)".*/\1/p' "$golden")" "hash of a golden"
-for document in "$root"/tests/golden/motions/*.json; do
+for document in "$root"/tests/golden/{motions,springs}/*.json; do
   [ "$(grep -c '"start_step"' "$document")" = 1 ] || continue
   for lanes in 1 2 4 8 16; do
     same "$("$gaitsmith" hash --lanes $lanes "$document")" "$("$gaitsmith" hash "$document")" "$document in $lanes lanes"
@@ -381,6 +381,19 @@ refuses 'figure: has springs, and this kind of file shows rods' "$gaitsmith" exp
 refuses '--joints: a figure of springs has no joints' "$gaitsmith" synthesize --figure jelly --joints limited --out precious.json
 refuses 'kind: a figure of springs follows rules or curves, not a network' "$gaitsmith" synthesize --figure jelly --controller network --evaluations 20 --out precious.json
 refuses 'figure: has springs: only angles of joints are recorded as curves' "$gaitsmith" record table-trip --out precious.json
+refuses '--pose: is for figures of rods, and this one has springs' "$gaitsmith" synthesize --figure jelly --pose 1:0 --out precious.json
+refuses 'plan: figures of springs have no keyframes' "$gaitsmith" plan table-trip --out precious.json
+# They are chained, mapped, handed over, repaired and bred as others.
+table=$root/tests/golden/springs/table-there-and-back.json
+"$gaitsmith" synthesize --figure walking-table --search sphc --evaluations 40 --seed 3 --out another-table.json || fault "synthesize for springs"
+"$gaitsmith" switches --times 3 --length 2 --out spring-switches.csv table-trip another-table.json || fault "switches between springs"
+same "$(wc -l <spring-switches.csv)" 7 "rows of switches between springs"
+"$gaitsmith" synthesize --figure walking-table --handover table-trip@2 --search sphc --evaluations 40 --out takes-over.json || fault "a handover between springs"
+"$gaitsmith" synthesize --repair "$table" --clip 2 --search sphc --evaluations 40 --out repaired.json || fault "a repair of springs"
+"$gaitsmith" breed table-trip another-table.json --evaluations 200 --children 2 --out-prefix soft >soft.csv || fault "breeding of springs"
+for made in takes-over repaired soft-1; do
+  grep -q '"model": 3' $made.json && "$gaitsmith" validate $made.json >/dev/null || fault "$made.json is no valid document of springs"
+done
 "$gaitsmith" link decode "$("$gaitsmith" link encode limited.json)" | cmp -s - limited.json || fault "a link changed limited joints"
 "$gaitsmith" compare --problem limited.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --joints strong --out cs.csv --curves cc.csv &&
   "$gaitsmith" compare --problem strong.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --out co.csv --curves cd.csv &&

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Any figure, controller and start on any drawn ground: until a guard makes the motion void no rod is deep in
-// the ground, and all numbers are finite; the motion has the same bits for every lane count. Input bytes: one
-// that selects how rough the world is, one with the number of corners, four for each corner, then genes of
-// 16 bits. What breaks a law is also written as a document, into the file that GAITSMITH_FIND names.
+// Any figure, controller and start on any drawn ground: until a guard makes the motion void no rod and no
+// node is deep in the ground, and all numbers are finite; the motion has the same bits for every lane count.
+// Input bytes: one that selects how rough the world is and whether the figure is of springs, one with the
+// number of corners, four for each corner, then genes of 16 bits. What breaks a law is also written as a
+// document, into the file that GAITSMITH_FIND names.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -17,8 +18,8 @@
 namespace {
 
 /// Limbs are lifted out of the ground as long as they are not deeper than a guard allows, and a step may
-/// leave a little of that.
-constexpr double kDeepest = 0.02;
+/// leave a little of that. Nodes stop at it.
+constexpr double kDeepestRod = 0.02, kDeepestNode = 0.001;
 
 }  // namespace
 
@@ -41,7 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     genes.push_back(static_cast<Gene>(data[at] << 8 | data[at + 1]));
   if (genes.empty()) return 0;
   const bool still = data[0] / 4 % 4 == 0;
-  Document document = DocumentOf(scope, 2, still, genes);
+  const bool springs = data[0] / 16 % 2 == 1;
+  Document document = DocumentOf(scope, springs ? 3 : 2, still, genes);
   document.environment.ground = ground;
   if (!Validate(document)) return 0;
   const Motion motion = Simulate(document);
@@ -52,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Motion::Frame& f = motion.At(frame);
     const double sum = f.x_m + f.turn_rad + static_cast<double>(f.y_m + f.velocity_x_mps + f.velocity_y_mps);
     const double depth = std::isfinite(sum) ? DepthOf(terrain, motion, frame) : 1e9;
-    if (depth <= kDeepest) continue;
+    if (depth <= (springs ? kDeepestNode : kDeepestRod)) continue;
     std::fprintf(stderr, "frame %d: depth %g m\n", frame, depth);
     if (const char* find = std::getenv("GAITSMITH_FIND")) std::ofstream(find) << EncodeJson(document);
     std::abort();

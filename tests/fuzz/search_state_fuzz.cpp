@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The saved state of any search, valid, damaged or invented, such as a worker's checkpoint: an error, or a
 // search that continues within its rules. An undamaged state continues without any difference. Input bytes:
-// the search, its progress before it was saved, then pairs of a position and a change. A single last byte
-// truncates the state.
+// the search, its progress before it was saved and whether its figure is of springs, then pairs of a position
+// and a change. A single last byte truncates the state.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +10,7 @@
 
 #include "core/breeding/brood.h"
 #include "core/document/document.h"
+#include "tests/fuzz/small_lattice.h"
 
 namespace {
 
@@ -31,7 +32,11 @@ Document SmallProblem(const std::uint8_t* head) {
   d.search.elites.initial = 20;
   d.search.elites.batch = 8;
   d.search.two_stage = {.random = 30, .kept = 2};
-  if (d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
+  if (d.search.algorithm == Algorithm::kTwoStage) {
+    d.kind = ControllerKind::kNetwork;
+  } else if (head[1] >= 128) {
+    test::MakeSpringy(d);
+  }
   return d;
 }
 

@@ -254,13 +254,15 @@ class Rules(unittest.TestCase):
 
 class Physics(unittest.TestCase):
     def test_targets_of_a_controller_give_its_motion(self):
-        """A controller whose responses all have one time constant, replayed from outside, in both models."""
+        """A controller whose responses all have one time constant, replayed from outside, in every model."""
         for options in (
             {"problem": "star-man-travel"},
             {"problem": "star-man-travel", "joints": "limited"},
             {"problem": "inchworm-travel", "joints": "limited", "ground": "rubble"},
+            {"figure": "walking-table", "ground": "stairs"},
         ):
             document = gaitsmith.document(**options, duration=3, search="rgt", evaluations=30)
+            actuator = "length_1" if "nodes" in document["figure"] else "theta_1"
             document["senses"].update(tau_min_s=0.2, tau_max_s=0.2)
             document["pushes"] = [{"step": 50, "endpoint": 1, "impulse_x_ns": 2.0, "impulse_y_ns": 1.0}]
             document["environment"].update(sway_rad=0.1, sway_period_s=1.0)
@@ -276,7 +278,7 @@ class Physics(unittest.TestCase):
                     self.assertEqual(infos["travel"][1], motion["x"][step + 1])
                     if observation == "state":
                         named = dict(zip(env.observation_names, seen[0]))
-                        self.assertEqual(named["theta_1"], np.float32(motion["theta_1"][step + 1]))
+                        self.assertEqual(named[actuator], np.float32(motion[actuator][step + 1]))
                         self.assertEqual(named["vy"], np.float32(motion["vy"][step + 1]))
                         self.assertEqual(named["touch_1"], motion["fn1"][step + 1] > 0)
                         np.testing.assert_allclose(named["turn_sine"], np.sin(motion["phi"][step + 1]), atol=1e-6)

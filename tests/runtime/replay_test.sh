@@ -18,7 +18,7 @@ refuses() { # words of the message, command...
 
 # Every controller, its senses, and the motion if it moves strong joints from the start.
 names=()
-for document in "$root"/tests/golden/{motions,limited}/*.json "$root"/examples/*.json "$root"/examples/{gallery,lessons}/*.json; do
+for document in "$root"/tests/golden/{motions,limited,springs}/*.json "$root"/examples/*.json "$root"/examples/{gallery,lessons}/*.json; do
   for ((clip = 1; ; ++clip)); do
     name=$(basename "$(dirname "$document")")-$(basename "$document" .json)-$clip
     "$gaitsmith" senses "$document" --clip $clip --controller "$name.json" --out "$name.csv" 2>err || break
@@ -55,6 +55,7 @@ timer motions-star-man-timer-left
 network motions-star-man-network
 sight limited-star-man-sees-a-step
 trajectory limited-star-man-trajectory
+springs springs-star-sees-stairs
 GOLDEN
 
 # The examples of docs/runtime.md: both programs decide the same.

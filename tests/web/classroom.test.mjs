@@ -122,6 +122,15 @@ test('the judge simulates, compares with the goal and says what was changed', as
   const unlimited = engine.documentFromText(JSON.stringify({ ...weak, model: 1 }));
   assert.equal(judgedBy('world = usual', unlimited).met, true, 'a strength that nothing uses changes nothing');
   assert.equal(judgedBy('switch > 0', bytes).met, false, 'a motion of one clip has no switch');
+  // A figure of springs: softer ones are another figure, and its joints have no strength.
+  const table = engine.documentFromText(await readFile(join(ROOT, 'examples/gallery/table-trip.json'), 'utf8')), ofTable = engine.json(table);
+  const springy = new Judge(engine, tables, [{ ...facts, worlds: [worldOf(ofTable)], figures: [figureOf(ofTable)] }]);
+  const softer = engine.documentFromText(JSON.stringify({ ...ofTable, hash: undefined,
+    figure: { ...ofTable.figure, springs: ofTable.figure.springs.map((/** @type {any} */ spring) => ({ ...spring, stiffness_npm: spring.stiffness_npm / 2 })) } }));
+  const judged = (/** @type {Uint8Array} */ motion) => springy.judge({ work: { ...sent, motion: engine.link(motion) }, source: '' }, '');
+  assert.deepEqual([judged(table).fault, judged(table).changed, judged(table).hash], ['', [], ofTable.hash]);
+  assert.deepEqual(judged(softer).changed, ['another figure']);
+  assert.equal(judgedBy('world = usual', table).met, true);
   // Without a lesson the goal is the teacher's.
   const free = judge.judge({ work: { ...emptyWork(), motion: other }, source: '' }, 'distance >= 1000');
   assert.deepEqual([free.met, free.changed], [false, []]);

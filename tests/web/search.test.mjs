@@ -2,6 +2,7 @@
 // Searches with the page's client and workers, under Node: the result has the same bits for any number of workers, and
 // if workers die. There are no expected values, every claim compares two runs.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from './search_run.mjs';
 
@@ -37,6 +38,15 @@ test('NSGA-II: workers measure the cost, and find what the search finds alone', 
 
 test('a network, by the two-stage search: one, two and three workers find the same', async () => {
   const document = problem({ algorithm: 'two-stage', evaluations: 1500 }, { kind: 'network' });
+  const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
+  assert.ok(one.last.bestFitness > 0.5);
+  assertSame(one, two);
+  assertSame(one, three);
+});
+
+test('a figure of springs: one, two and three workers find the same', async () => {
+  const figure = JSON.parse(await readFile(new URL('../../examples/figures/walking-table.json', import.meta.url), 'utf8'));
+  const document = problem({ algorithm: 'pose-cycle', evaluations: 1500 }, { model: 3, figure });
   const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
   assert.ok(one.last.bestFitness > 0.5);
   assertSame(one, two);

@@ -94,7 +94,7 @@ export interface Controller {
 export interface State {
   /** The active rule, from 0. Of a network the number of hidden nodes that fire, of a trajectory the nearest knot. */
   rule: number;
-  /** From the drawn pose, counterclockwise [rad]. */
+  /** From the drawn pose, counterclockwise [rad]. Of a muscle: its length without force [drawn lengths]. */
   readonly target: Float32Array;
   /** Time constants [s]. */
   readonly tau: Float32Array;
@@ -122,5 +122,5 @@ export function begin(controller: Controller): State;
 export function step(controller: Controller, state: State, senses?: ArrayLike<number>): void;
 /** A reading, in the sense's unit, as the controller senses it. */
 export function normalise(controller: Controller, sense: number, reading: number): number;
-/** Moves a joint for a step as Gaitsmith's strong joints move: critically damped, within its limits. @param body [rad], from the drawn pose, and [rad/s] */
+/** Moves a joint for a step as Gaitsmith's strong joints move: critically damped, within its limits. @param body [rad], from the drawn pose, and [rad/s]; of a muscle in drawn lengths, from its rest on */
 export function move(controller: Controller, state: State, joint: number, body: { angle: number; rate: number }): void;

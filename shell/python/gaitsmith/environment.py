@@ -46,7 +46,8 @@ class VectorEnv(_VectorBase):
     observation:    "senses": what the problem's controllers sense [Fukunaga 1994, Table 1], normalised; or "state":
                     joint angles [rad] and rates [rad/s], sine, cosine and rate [rad/s] of the root's turn, height [m]
                     and velocity [m/s] of the centre of mass, and 1 for each endpoint that the ground pushes. The
-                    paper's senses suffice for its rules, but lack the rates of joints and of the turn
+                    paper's senses suffice for its rules, but lack the rates of joints and of the turn. Figures of
+                    springs have lengths of muscles [drawn lengths] and the turn that fits best
     autoreset_mode: "next_step", "same_step" or "disabled", or Gymnasium's AutoresetMode
     tau:            time constant [s], 0.02 to 10, with which joints approach their targets as the paper's responses do
                     [section 2]: theta'' = (target - theta) / tau^2 - 2 theta' / tau, critically damped
@@ -54,8 +55,8 @@ class VectorEnv(_VectorBase):
     start_noise:    greatest change of the start's velocity [m/s] and spin [rad/s], uniform; 0: every episode begins
                     alike, and ``seed`` changes nothing
 
-    Action: a target for each joint relative to its drawn angle [rad], within the joint's limits. Targets beyond are
-    brought into them. Reward: by how much the task's primary term has grown [m], so that the rewards of an episode add
+    Action: a target for each joint relative to its drawn angle [rad], or for each muscle its length without force
+    [drawn lengths], within limits. Targets beyond are brought into them. Reward: by how much the task's primary term has grown [m], so that the rewards of an episode add
     up to the fitness without style. ``terminated``: physics broke, which takes back all the episode's rewards, since
     its motion is void. ``truncated``: the task's duration is over. ``infos["travel"]``: way of the centre of mass [m].
 

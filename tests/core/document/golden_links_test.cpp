@@ -199,6 +199,11 @@ TEST_CASE("golden links: no link of version 10 opens after it was damaged in one
   CheckDamage(10);
 }
 
+TEST_CASE("golden links: no link of version 11 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(11);
+}
+
 TEST_CASE("golden links: no link of version 12 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(12);
@@ -207,6 +212,11 @@ TEST_CASE("golden links: no link of version 12 that was changed in one byte or c
 TEST_CASE("golden links: no link of version 13 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(13);
+}
+
+TEST_CASE("golden links: no link of version 14 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(14);
 }
 
 }  // namespace gaitsmith::test

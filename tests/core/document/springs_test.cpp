@@ -120,7 +120,7 @@ TEST_CASE("springs: what a document of them cannot hold is refused with its plac
         "plan: figures of springs have no keyframes");
   CHECK(fault([](Document& d) {
           d.task.shown.pose_rad = {0.5f};
-        }).starts_with("task.shown.pose: must have one angle for each of the 0 joints"));
+        }).starts_with("task.shown.pose: is for figures of rods"));
   CHECK(fault([](Document& d) { d.pushes = {{.step = 3, .endpoint = 4}}; }) ==
         "pushes[0].endpoint: there is no endpoint 4, the figure has 0 to 3");
   CHECK(fault([](Document& d) { d.controllers[0].genes.pop_back(); }).starts_with("controllers[0].rules"));

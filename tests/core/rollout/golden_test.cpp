@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pins: the trajectory hash of every document in tests/golden/motions, in examples/, in its gallery and its
-// lessons, and the scores of forty searches. The same file runs natively with gcc and clang, at several
-// optimisation levels, under sanitizers and as WASM under Node. Does not pin: how the motions look. To bless
-// again (only by a numbered decision in docs/design.md):
+// Pins: the trajectory hash of every document in tests/golden, in examples/, in its gallery and its lessons,
+// and the scores of forty searches. The same file runs natively with gcc and clang, at several optimisation
+// levels, under sanitizers and as WASM under Node. Does not pin: how the motions look. To bless again (only
+// by a numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
 // Has caught: nothing yet.
 #include <algorithm>
@@ -21,6 +21,9 @@ TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determ
   const auto limited = GoldenLimitedMotions();
   REQUIRE(limited.size() >= 3);
   names.insert(names.end(), limited.begin(), limited.end());
+  const auto springs = GoldenSpringMotions();
+  REQUIRE(springs.size() >= 5);
+  names.insert(names.end(), springs.begin(), springs.end());
   for (const std::string& name : names) {
     CAPTURE(name);
     const auto document = DecodeJson(ReadFile(name));
