@@ -182,6 +182,7 @@ std::vector<Row> Exporters() {
                        .With("name", row.id)
                        .With("ending", row.ending)
                        .With("type", row.type)
+                       .With("springs", row.springs)
                        .With("group", kExportGroupNames[static_cast<std::size_t>(row.group)])
                        .With("label", row.label)
                        .With("note", row.note));
@@ -207,7 +208,7 @@ std::vector<Table> Tables() {
       {"controller_kinds", 0, NamesOf(kControllerKindNames)},
       {"panels", 2, Panels()},
       {"locks", 0, NamesOf(kLockedPartNames)},
-      {"exporters", 6, Exporters()},
+      {"exporters", 7, Exporters()},
       {"languages", 2, LanguageRows()},
       {"gene_groups", 0, GeneGroupRows()},
   };

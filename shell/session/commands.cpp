@@ -177,9 +177,11 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
       clips > 1 && selected == clips - 1 ? Tr("This clip is the last.") : one,
       [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() + 1); });
   add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.Timeline().Repeat(); });
-  add("record", Tr("Record the motion as curves, and show both side by side"), {}, none,
+  add("record", Tr("Record the motion as curves, and show both side by side"), {},
+      session.Doc().figure.HasSprings() ? Tr("Recording as curves is for figures of rods.") : none,
       [&session] { session.RecordAsCurves(); });
-  add("keyframes", Tr("Plan a motion between keyframes"), {}, "", [&session] { session.OpenKeyframes(); });
+  add("keyframes", Tr("Plan a motion between keyframes"), {}, session.Keyframes().WhyNot(),
+      [&session] { session.OpenKeyframes(); });
   add("track", Tr("Track the planned motion by rules"), {},
       session.Doc().plan.solved.unknowns.empty() ? Tr("No motion is planned between keyframes.") : "",
       [&session] { session.TrackKeyframes(); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/planning/plan_playback.h"
@@ -18,10 +19,16 @@ constexpr int kShortestPlan = 20;
 
 }  // namespace
 
+const char* PlanEditor::WhyNot() const {
+  const Figure& figure = workspace_.Doc().figure;
+  if (figure.HasSprings()) return Tr("Keyframes are for figures of rods.");
+  return figure.Joints() == 0 ? Tr("Keyframes need a figure with a joint.") : "";
+}
+
 bool PlanEditor::Begin() {
   if (Open()) return true;
-  if (workspace_.Doc().figure.Joints() == 0) {
-    workspace_.Say(Tr("Keyframes need a figure with a joint."));
+  if (const std::string why_not = WhyNot(); !why_not.empty()) {
+    workspace_.Say(why_not);
     return false;
   }
   return workspace_.Change([](Document& d) {

@@ -25,8 +25,10 @@ class PlanEditor {
   /// @param keyframe at least 0
   void Choose(int keyframe) { chosen_ = keyframe; }
 
+  /// Why the figure can have no plan. Empty: it can.
+  [[nodiscard]] const char* WhyNot() const;
   /// Makes the first plan of a document, a jump, if there is none.
-  /// @return false, with a sentence: the figure has no joint, or the plan is locked
+  /// @return false, with a sentence: WhyNot, or the plan is locked
   bool Begin();
   /// Changes the plan, whose solution is forgotten. Keyframes stay sorted.
   bool Change(const std::function<void(Plan&)>& edit);

@@ -48,7 +48,8 @@ std::vector<Action> FoundActions(Session& session) {
   add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }, 9});
   add(layout.Shows(IndexOf(Panel::kTimeline)) && !layout.Locks(LockedPart::kTimeline),
       {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); }, 6, true});
-  add(free && layout.Shows(IndexOf(Panel::kKeyframes)) && !layout.Locks(LockedPart::kTimeline),
+  add(free && layout.Shows(IndexOf(Panel::kKeyframes)) && !layout.Locks(LockedPart::kTimeline) &&
+          !session.Doc().figure.HasSprings(),
       {"stage/keyframes", Tr("Keyframes"), [&session] { session.OpenKeyframes(); }, 10, true});
   const auto dialog = [&](const char* id, const char* label, const char* command, int rank) {
     add(session.HasDialogs(), {id, label, [&session, command] { session.OpenDialog(command); }, rank, true});

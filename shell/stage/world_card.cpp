@@ -259,7 +259,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);
-  ui.Switch("world/rods", Tr("Show rods only"), state.rods_only);
+  ui.Switch("world/rods", Tr(session.Doc().figure.HasSprings() ? "Show springs only" : "Show rods only"),
+            state.rods_only);
   ui.Gap(8.0f);
   if (ui.Button("world/reset", ui.ControlRow(), Tr("Back to the world as opened"), ButtonLook::kOutlined,
                 session.World().Changed())) {

@@ -218,7 +218,7 @@ class Breed {
     return !fault;
   }
 
-  /** Offers each limb and rule to be kept. */
+  /** Offers each limb or muscle, and each rule, to be kept. */
   #offerParts() {
     const { figure, rules = 10, kind } = this.family.document;
     const boxes = (/** @type {number} */ count) => Array.from({ length: count }, (_, i) => {

@@ -10,9 +10,9 @@ export const terms: readonly { readonly name: string }[];
 export const control_modes: readonly { readonly name: string; readonly words: string }[];
 /** In the order of the tabs. label: in English, as tr() takes it. */
 export const panels: readonly { readonly name: string; readonly label: string }[];
-/** Files that C++ makes of a motion. type: MIME. label, note: in English, as tr() takes them. */
+/** Files that C++ makes of a motion. type: MIME. springs: whether they can show figures of springs. label, note: in English, as tr() takes them. */
 export const exporters: readonly {
-  readonly name: string; readonly ending: string; readonly type: string; readonly group: 'pictures' | 'programs'; readonly label: string; readonly note: string;
+  readonly name: string; readonly ending: string; readonly type: string; readonly springs: boolean; readonly group: 'pictures' | 'programs'; readonly label: string; readonly note: string;
 }[];
 /** English first. name: in the language itself. */
 export const languages: readonly { readonly code: string; readonly name: string }[];

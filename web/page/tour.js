@@ -21,7 +21,7 @@ const STEPS = [
   { title: trLater('Why it moves this way'), at: /^controller\/why$/, panel: 'panel/Controller',
     text: trLater('It has only a few rules. The active one lights up, and this explains why. Open a rule to change it by hand.') },
   { title: trLater('Push it'), at: /^world\/open$/,
-    text: trLater('Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
+    text: trLater('Pull at the figure on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
   { title: trLater('Share it'), at: '#copy-link',
     text: trLater('The link holds the whole motion. Friends who open it see the same motion, bit for bit, and can continue from there.') },
 ];

@@ -12,14 +12,11 @@ import { fileName } from './sharing.js';
 /** @typedef {import('./export_preview.js').Choice} Choice */
 /** @typedef {import('./export_preview.js').Cycle} Cycle */
 
-/** The choice of an exporter, whose words follow the language. @param {typeof exporters[number]} exporter */
-function choice({ name, label, note }) {
+/** The choice of an exporter, whose label follows the language. @param {typeof exporters[number]} exporter */
+function choice({ name, label }) {
   const title = document.createTextNode('');
   const small = document.createElement('small');
-  followLanguage(() => {
-    title.data = `${tr(label)} `;
-    small.textContent = tr(note);
-  });
+  followLanguage(() => { title.data = `${tr(label)} `; });
   const words = document.createElement('span');
   words.append(title, small);
   const box = document.createElement('label');
@@ -64,6 +61,7 @@ class ExportDialog {
     this.app = app;
     this.statusLine = statusLine;
     for (const exporter of exporters) element(`export-${exporter.group}`).append(choice(exporter));
+    followLanguage(() => this.#offerFormats());
     element('export-pictures').append(element('export-strip'));
     this.#label('sprites').after(element('export-sheet'));
     this.#dialog.addEventListener('submit', (event) => {
@@ -86,6 +84,7 @@ class ExportDialog {
   open() {
     this.#error.textContent = '';
     this.#document = null;
+    this.#offerFormats();
     this.#offer('planned', Boolean(this.app.document().plan?.solved?.unknowns?.length));
     if (typeof MediaRecorder !== 'function' || !MediaRecorder.isTypeSupported('video/webm')) {
       this.#radio('webm').disabled = true;
@@ -114,6 +113,17 @@ class ExportDialog {
     this.#label(part).hidden = !there && part === 'planned';
     radio.disabled = !there;
     if (!there && radio.checked) this.#radio('whole').checked = true;
+  }
+
+  /** Offers the exporters that can show the figure. The notes of the others give the reason. */
+  #offerFormats() {
+    const ofSprings = Boolean(this.app.document().figure.springs?.length);
+    for (const { name, note, springs } of exporters) {
+      const radio = this.#radio(name), there = springs || !ofSprings;
+      radio.disabled = !there;
+      /** @type {HTMLElement} */ (this.#label(name).querySelector('small')).textContent = there ? tr(note) : tr('Needs a figure of rods');
+      if (!there && radio.checked) this.#radio('gif').checked = true;
+    }
   }
 
   /** Shows the numbers of film strips and sprite sheets only with these. */

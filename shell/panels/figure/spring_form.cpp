@@ -119,6 +119,22 @@ void EditSpring(const Form& form) {
     changed.damping_nspm = static_cast<float>(damping);
     change(changed);
   }
+  // A muscle begins with it. The controller changes it then.
+  double rest = 100.0 * static_cast<double>(spring.rest);
+  const bool muscle = spring.IsMuscle();
+  if (form.ui.Slider("springs/rest", Tr("Length without force"), rest,
+                     {.low = muscle ? 100.0 * static_cast<double>(spring.min_rest) : 20.0,
+                      .high = muscle ? 100.0 * static_cast<double>(spring.max_rest) : 300.0,
+                      .step = 1.0},
+                     Fixed(rest, 0) + " %")) {
+    changed = spring;
+    changed.rest = static_cast<float>(rest / 100.0);
+    if (muscle)
+      changed.rest = std::clamp(changed.rest, spring.min_rest, spring.max_rest);
+    else
+      changed.min_rest = changed.max_rest = changed.rest;
+    change(changed);
+  }
   EditMuscle(form, spring, change);
 }
 

@@ -118,6 +118,8 @@ void DrawKeyframesPanel(Ui& ui, Session& session, KeyframesPanelState& state) {
                Type::kNote);
   ui.Gap(6.0f);
   if (!session.Keyframes().Open()) {
+    const std::string why_not = session.Keyframes().WhyNot();
+    if (!why_not.empty()) return ui.Paragraph(why_not);
     if (ui.Button("keyframes/begin", ui.ControlRow(), Tr("Begin with a jump"), ButtonLook::kPrimary))
       session.OpenKeyframes();
     return;

@@ -99,9 +99,11 @@ void DrawExampleForm(Ui& ui, Session& session, ExampleFormState& state) {
                            : shown.way.empty()                         ? Tr("a pose")
                                                                        : Tr("a way and a pose");
   if (!DrawFold(ui, "style/example", Tr("Teach by example"), note, state.open)) return;
-  ui.Paragraph(
-      Tr("Show where its centre should go, or a pose at a moment. The next search comes as close as it can."),
-      Type::kNote);
+  ui.Paragraph(session.Doc().figure.HasSprings()
+                   ? Tr("Show where its centre should go. The next search comes as close as it can.")
+                   : Tr("Show where its centre should go, or a pose at a moment. The next search comes as "
+                        "close as it can."),
+               Type::kNote);
   ui.Gap(6.0f);
   DrawWay(ui, session, state);
   ui.Gap(12.0f);
