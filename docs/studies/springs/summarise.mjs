@@ -48,5 +48,5 @@ table(['walking table, best of 40,000', ...SEARCHES]);
 for (const sense of senses) line([sense, ...SEARCHES.map((search) => spread(of(rows(`table-${sense}`), search, 'best')))]);
 const pairs = senses.flatMap((sense) => PAIRS.map(([a = '', b = '']) => ({ what: `${sense}: ${a} before ${b}`, ...rankSum(of(rows(`table-${sense}`), a, 'best'), of(rows(`table-${sense}`), b, 'best')) })));
 const adjusted = holm(pairs.map(({ p }) => p));
-table(['chance to end better', 'p (Holm over 8)', 'holds']);
+table(['the first ends better', 'with a chance of', 'p (Holm over 8)', 'holds']);
 pairs.forEach(({ what, superiority }, at) => line([what, superiority.toFixed(2), chance(adjusted[at] ?? 1), (adjusted[at] ?? 1) < 0.05 ? (superiority > 0.5 ? 'yes' : 'no') : 'open']));
