@@ -54,7 +54,7 @@ typedef struct {
 /* What the controller of one figure asks for, and what it remembers. */
 typedef struct {
   int rule;                       /* the active one, from 0; number of nodes that fire; nearest knot */
-  float target[GAITSMITH_JOINTS]; /* from the drawn pose [rad]; of muscles [drawn lengths] */
+  float target[GAITSMITH_JOINTS]; /* from the drawn pose [rad], or length */
   float tau[GAITSMITH_JOINTS];    /* time constant [s] */
   float decay[GAITSMITH_JOINTS];  /* e^(-step / tau) */
   int steps;                      /* within the period */

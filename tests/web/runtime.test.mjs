@@ -44,7 +44,7 @@ test('runtime: the types name what the script exports', async () => {
 
 test('runtime: loads a controller of every kind and lets it decide', async () => {
   const all = await controllers();
-  assert.deepEqual(all.map(({ name }) => name).sort(), ['network.json', 'rules.json', 'sight.json', 'timer.json', 'trajectory.json']);
+  assert.deepEqual(all.map(({ name }) => name).sort(), ['network.json', 'rules.json', 'sight.json', 'springs.json', 'timer.json', 'trajectory.json']);
   for (const { name, text } of all) {
     const controller = runtime.load(text);
     assert.equal(controller.step_s, Math.fround(0.01), name);
