@@ -5,6 +5,7 @@ import io
 import json
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import threading
@@ -193,9 +194,10 @@ class Notebook(unittest.TestCase):
             playground = names["playground"]
             after.callback(playground.close)
             browser = subprocess.Popen([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-port=0", f"--user-data-dir={profile}",
-                                        playground.url], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                        playground.url], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
             after.callback(browser.wait)
-            after.callback(browser.kill)
+            # What Debian installs is a script that waits for the browser: killed alone, it would leave it behind.
+            after.callback(os.killpg, browser.pid, signal.SIGKILL)
             for number, code in enumerate(cells[1:], 2):
                 exec(compile(code, f"cell {number}", "exec"), names)
             self.assertEqual(printed.getvalue().count("True"), 2, printed.getvalue())  # the page's bits are Python's, twice
