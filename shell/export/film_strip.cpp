@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/world/ground_view.h"
+#include "shell/body/body_parts.h"
 #include "shell/body/figure_pose.h"
 #include "shell/export/film_strip_layout.h"
 #include "shell/export/number_text.h"
@@ -51,6 +52,7 @@ class StripDrawing {
       : document_(document),
         motion_(motion),
         bars_(BarsOf(document.figure)),
+        look_(LookOf(document.figure)),
         words_(options.words),
         ground_(document.environment.ground),
         layout_(LayOutStrip(motion, ground_, options)) {
@@ -222,6 +224,22 @@ class StripDrawing {
       return std::array{X(cell, at.x_m + static_cast<double>(point.x)),
                         Y(cell, static_cast<double>(at.y_m) + static_cast<double>(point.y))};
     };
+    out_ += "<g class=\"pose\" id=\"pose-" + Letter(pose) + "\">\n";
+    if (document_.figure.HasSprings()) {
+      Springs(place);
+    } else {
+      Rods(place);
+    }
+    out_ += "</g>\n";
+  }
+
+  void Disc(const std::array<double, 2>& at, double radius, const char* colour) {
+    out_ += "<circle cx=\"" + Px(at[0]) + "\" cy=\"" + Px(at[1]) + "\" r=\"" + Px(radius) + "\" fill=\"" +
+            colour + "\"/>\n";
+  }
+
+  /// @param place of an endpoint [px]
+  void Rods(const auto& place) {
     std::array<int, kMaxContacts> rods_at{};
     std::string rods;
     for (const Bar& bar : bars_) {
@@ -231,19 +249,43 @@ class StripDrawing {
       ++rods_at[static_cast<std::size_t>(bar.to)];
     }
     const double width = layout_.rod_px;
-    out_ += "<g class=\"pose\" id=\"pose-" + Letter(pose) + "\">\n<path d=\"" + rods +
-            "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"" + Px(width) +
+    out_ += "<path d=\"" + rods + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"" + Px(width) +
             "\" stroke-linecap=\"round\"/>\n";
     for (int k = 0; k < motion_.Connections().contacts; ++k) {
       const int meeting = rods_at[static_cast<std::size_t>(k)];
       if (meeting < 2) continue;
+      if (meeting >= 3) Disc(place(k), 0.76 * width, "#1d2733");  // a hub: a disc in the rods
+      Disc(place(k), (meeting >= 3 ? 0.46 : 0.3) * width, "#ffffff");
+    }
+  }
+
+  /// The body, because a muscle that swells shows what it does. @param place of a node [px]
+  void Springs(const auto& place) {
+    std::vector<BodyPoint> nodes;
+    for (int k = 0; k < motion_.Connections().contacts; ++k) {
       const auto at = place(k);
-      const auto disc = [&](double radius, const char* colour) {
-        out_ += "<circle cx=\"" + Px(at[0]) + "\" cy=\"" + Px(at[1]) + "\" r=\"" + Px(radius) + "\" fill=\"" +
-                colour + "\"/>\n";
+      nodes.push_back({static_cast<float>(at[0] / layout_.scale), static_cast<float>(at[1] / layout_.scale)});
+    }
+    const auto px = [&](float value_m) { return static_cast<double>(value_m) * layout_.scale; };
+    out_ += R"(<g stroke-linecap="round" stroke-linejoin="round">)"
+            "\n";
+    for (const BodyPart& part : BodyPartsOf(look_, nodes)) {
+      const std::array from = {px(part.from.x), px(part.from.y)}, to = {px(part.to.x), px(part.to.y)};
+      if (from == to) {
+        Disc(from, px(part.from_m), "#1d2733");
+        continue;
+      }
+      const double dx = to[0] - from[0], dy = to[1] - from[1];
+      const double belly = 2.0 * px(part.belly_m) / std::sqrt(dx * dx + dy * dy);  // of the curve's handle
+      const auto side = [&](double way) {
+        return "Q" + Px(from[0] + 0.5 * dx - way * belly * dy) + " " +
+               Px(from[1] + 0.5 * dy + way * belly * dx) + " ";
       };
-      if (meeting >= 3) disc(0.76 * width, "#1d2733");  // a hub: a disc in the rods
-      disc((meeting >= 3 ? 0.46 : 0.3) * width, "#ffffff");
+      const std::string start = Px(from[0]) + " " + Px(from[1]), end = Px(to[0]) + " " + Px(to[1]);
+      const char* colour = part.far ? "#8a929b" : "#1d2733";
+      out_ += "<path d=\"M" + start + (part.far ? "L" + end : side(1.0) + end + side(-1.0) + start + "Z") +
+              "\" fill=\"" + (part.far ? "none" : colour) + "\" stroke=\"" + colour + "\" stroke-width=\"" +
+              Px(2.0 * px(part.from_m)) + "\"/>\n";
     }
     out_ += "</g>\n";
   }
@@ -297,6 +339,7 @@ class StripDrawing {
   const Document& document_;
   const Motion& motion_;
   std::vector<Bar> bars_;
+  FigureLook look_;
   const FilmStripWords& words_;
   const Terrain ground_;
   const StripLayout layout_;

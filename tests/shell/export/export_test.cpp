@@ -207,6 +207,16 @@ TEST_CASE("export: a film strip draws the ground that its document draws") {
   CHECK(Count(flat, "<rect") + Count(flat, "Z\" fill") == Count(level, "<rect"));
 }
 
+TEST_CASE("export: a film strip of springs has a belly for each muscle, and a disc for each node",
+          "[shell][export]") {
+  const Document table = DecodeJson(gaitsmith::test::ReadFile("examples/gallery/table-trip.json")).value();
+  const std::string strip = FilmStripSvg(table, Simulate(table), {.poses = 5});
+  const auto muscles = static_cast<std::size_t>(table.figure.Muscles());
+  CHECK(Count(strip, "Z\" fill=\"#1d2733\"") == 5 * muscles);
+  CHECK(Count(strip, "<circle") == 5 * table.figure.nodes.size());
+  CHECK(Count(strip, "fill=\"none\" stroke=\"#8a929b\"") == 5 * (table.figure.springs.size() - muscles));
+}
+
 TEST_CASE("export: forward kinematics of the glTF scene yields the motion's endpoints") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"})
     CheckForwardKinematics(ShippedMotion(name));
