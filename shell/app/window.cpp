@@ -89,14 +89,15 @@ float Window::Density() const {
   int pixels = 0;
   SDL_GetWindowSize(window_, &points, nullptr);
   SDL_GL_GetDrawableSize(window_, &pixels, nullptr);
-  return points > 0 ? scale_ * static_cast<float>(pixels) / static_cast<float>(points) : scale_;
+  // A canvas of one point may have no pixel, and letters of no pixels have no width.
+  if (points <= 0 || pixels <= 0) return theme_.density;
+  return scale_ * static_cast<float>(pixels) / static_cast<float>(points);
 }
 
 // Rasterises the fonts again after a change of display or of the browser's zoom.
 void Window::FollowDensity() {
   const float density = Density();
-  // A canvas of one point may have no pixel, and letters of no pixels have no width.
-  if (density <= 0.0f || std::abs(density - theme_.density) < 0.004f) return;
+  if (std::abs(density - theme_.density) < 0.004f) return;
   RasteriseType(density);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();

@@ -77,9 +77,9 @@ struct ExporterRow {
   const char* label;  // in the Export dialog, to be translated
   const char* note;   // below the label: what the file is good for, to be translated
   std::string (*make)(const Document&, const Motion&, const ExportOptions&);
-  /// Why there is no such file; nullptr: there always is one.
+  /// Why there is no such file; nullptr: there is one of each figure that it can show.
   Result<void> (*check)(const Document&, const Motion&, const ExportOptions&) = nullptr;
-  bool springs = false;  // whether it can show figures of springs
+  bool springs = false;  // whether it can show figures of springs; if not, MakeFile refuses them
 };
 
 /// The content of an exported file, or why the document has none.

@@ -15,7 +15,7 @@ namespace gaitsmith::python {
 
 enum class Observation {
   kSenses,  // what a controller of the problem senses, normalised
-  kState,   // angles or lengths and their rates, turn and turn rate of the root, height and velocity, contacts
+  kState,  // angles or lengths and their rates, turn and turn rate of the root, height and velocity, contacts
 };
 
 /// What one world did in a step.

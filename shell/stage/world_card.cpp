@@ -23,7 +23,7 @@ constexpr double kDegree = kPi / 180.0;
 
 std::string NameOfPlace(const Motion& motion, int endpoint) {
   if (endpoint == kCentreOfMass) return Tr("centre of mass");
-  return Tr(motion.Connections().muscles ? "Node {1}" : "endpoint {1}", endpoint + 1);
+  return Tr(motion.Connections().muscles ? "at node {1}" : "endpoint {1}", endpoint + 1);
 }
 
 void DrawSlopeAndGravity(Ui& ui, Session& session) {

@@ -18,7 +18,7 @@
 namespace {
 
 /// Limbs are lifted out of the ground as long as they are not deeper than a guard allows, and a step may
-/// leave a little of that. Nodes stop at it.
+/// leave a little of that. Nodes stop at the ground.
 constexpr double kDeepestRod = 0.02, kDeepestNode = 0.001;
 
 }  // namespace

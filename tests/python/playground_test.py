@@ -186,7 +186,7 @@ class Notebook(unittest.TestCase):
         cells = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
         self.assertIn("../../build/site", cells[0])
         names, printed, before = {}, io.StringIO(), os.getcwd()
-        with tempfile.TemporaryDirectory() as profile, contextlib.ExitStack() as after:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile, contextlib.ExitStack() as after:
             os.chdir(ROOT / "examples/notebooks")
             after.callback(os.chdir, before)
             after.enter_context(contextlib.redirect_stdout(printed))

@@ -61,7 +61,7 @@ import { trLater } from '../languages/language.js';
  *   start?: object, controllers?: object[], timeline?: {controller?: number}[], rules?: number, lineage?: import('../breed/family.js').Lineage,
  *   environment?: {slope_rad?: number, gravity_mps2?: number, ground?: {x_m?: number, y_m?: number}[]}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
  *   task?: {kind?: string, duration_steps?: number, weights?: Record<string, number>, shown?: ShownJson}, duration_steps?: number, plan?: {solved?: {unknowns?: number[]}}}} DocumentJson
- * @typedef {{from?: number, to?: number, stiffness_npm?: number, min_rest?: number, max_rest?: number}} SpringJson
+ * @typedef {{from?: number, to?: number, stiffness_npm?: number, rest?: number, min_rest?: number, max_rest?: number}} SpringJson
  * @typedef {{way?: {step?: number, x_m?: number, y_m?: number}[], pose_step?: number, pose?: {angle_rad?: number}[]}} ShownJson
  */
 

@@ -8,7 +8,7 @@ const WORDS = /** @type {Record<string, string>} */ ({
   height: trLater('Height'),
   slip: trLater('Slipping'),
   turns: trLater('Turns'),
-  effort: trLater('Busy'),
+  effort: trLater('Much movement'),
   upright: trLater('Upright'),
   smoothness: trLater('Smooth'),
   head_height: trLater('Head up'),

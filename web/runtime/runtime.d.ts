@@ -122,5 +122,5 @@ export function begin(controller: Controller): State;
 export function step(controller: Controller, state: State, senses?: ArrayLike<number>): void;
 /** A reading, in the sense's unit, as the controller senses it. */
 export function normalise(controller: Controller, sense: number, reading: number): number;
-/** Moves a joint for a step as Gaitsmith's strong joints move: critically damped, within its limits. @param body [rad], from the drawn pose, and [rad/s]; of a muscle in drawn lengths, from its rest on */
+/** Moves a joint for a step as Gaitsmith's strong joints move: critically damped, within its limits. @param body [rad], from the drawn pose, and [rad/s]; of a muscle its length without force [drawn lengths], from its spring's rest on, and [1/s] */
 export function move(controller: Controller, state: State, joint: number, body: { angle: number; rate: number }): void;

@@ -85,13 +85,16 @@ void EditMuscle(const Form& form, const Spring& spring, const std::function<void
   double most = 100.0 * static_cast<double>(spring.max_rest);
   const double rest = 100.0 * static_cast<double>(spring.rest);
   Spring changed = spring;
-  if (rest > 20.0 && form.ui.Slider("springs/shortest", Tr("At its shortest"), least,
-                                    {.low = 20.0, .high = rest, .step = 1.0}, Fixed(least, 0) + " %")) {
+  constexpr double kRoom = 0.5;  // [%], below which a slider would have no end
+  if (rest > 20.0 + kRoom &&
+      form.ui.Slider("springs/shortest", Tr("At its shortest"), least,
+                     {.low = 20.0, .high = rest, .step = 1.0}, Fixed(least, 0) + " %")) {
     changed.min_rest = std::min(static_cast<float>(least / 100.0), spring.rest);
     change(changed);
   }
-  if (rest < 300.0 && form.ui.Slider("springs/longest", Tr("At its longest"), most,
-                                     {.low = rest, .high = 300.0, .step = 1.0}, Fixed(most, 0) + " %")) {
+  if (rest < 300.0 - kRoom &&
+      form.ui.Slider("springs/longest", Tr("At its longest"), most, {.low = rest, .high = 300.0, .step = 1.0},
+                     Fixed(most, 0) + " %")) {
     changed.max_rest = std::max(static_cast<float>(most / 100.0), spring.rest);
     change(changed);
   }

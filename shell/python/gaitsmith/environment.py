@@ -56,9 +56,10 @@ class VectorEnv(_VectorBase):
                     alike, and ``seed`` changes nothing
 
     Action: a target for each joint relative to its drawn angle [rad], or for each muscle its length without force
-    [drawn lengths], within limits. Targets beyond are brought into them. Reward: by how much the task's primary term has grown [m], so that the rewards of an episode add
-    up to the fitness without style. ``terminated``: physics broke, which takes back all the episode's rewards, since
-    its motion is void. ``truncated``: the task's duration is over. ``infos["travel"]``: way of the centre of mass [m].
+    [drawn lengths], within limits. Targets beyond are brought into them. Reward: by how much the task's primary term
+    has grown [m], so that the rewards of an episode add up to the fitness without style. ``terminated``: physics broke,
+    which takes back all the episode's rewards, since its motion is void. ``truncated``: the task's duration is over.
+    ``infos["travel"]``: way of the centre of mass [m].
 
     By standard a world that has ended begins again in the next step (NEXT_STEP): that step ignores its action, and
     returns its first observation with a reward of 0. With "same_step" the last observation is in

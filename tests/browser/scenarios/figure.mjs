@@ -175,6 +175,24 @@ async function drawsSpringsByKeys({ browser, address }) {
   const before = Number(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm));
   await pointer.press('springs/softer');
   assert.equal(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm), before / 2);
+  // The length without force of a muscle stays within what its controller may ask for. A spring takes its own.
+  const lengths = () => page.call('lengths', () => {
+    const { rest = 1, min_rest: least = 1, max_rest: most = 1 } = window.gaitsmith.document().figure.springs?.[0] ?? {};
+    return [rest, least, most];
+  });
+  const [, least, most] = await lengths();
+  await page.page.focus('[data-id="springs/rest"]');
+  await page.press('Home');
+  await page.frames();
+  assert.deepEqual(await lengths(), [least, least, most]);
+  await undo(page);
+  await pointer.press('springs/muscle');
+  await page.page.focus('[data-id="springs/rest"]');
+  await page.press('ArrowRight');
+  await page.frames();
+  assert.deepEqual(await lengths(), [1.01, 1.01, 1.01]);
+  await undo(page);
+  await undo(page);
   await pointer.press('springs/delete');
   await page.frames();
   for (const _ of [1, 2, 3, 4, 5]) await undo(page);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The use of WebGL by the page.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -45,8 +45,8 @@ async function framesMakeNothing({ browser, address }) {
 }
 
 /**
- * A canvas of one point has no pixel here, where two points are one. Letters of no pixels have no width, and the mirror no
- * rectangles.
+ * Where a pixel has two points (deviceScaleFactor of run.mjs), a canvas of one has none. Letters of no pixels have no width,
+ * and the mirror no rectangles.
  * @param {Visit} visit
  */
 async function pointStays({ browser, address }) {
@@ -71,5 +71,5 @@ async function pointStays({ browser, address }) {
 /** @type {import('./all.mjs').Scenario[]} */
 export const GRAPHICS_SCENARIOS = [
   ['frames make nothing in WebGL that stays', framesMakeNothing],
-  ['a canvas of one point leaves the page as it was', pointStays, 'Chromium'],
+  ['a canvas of one point leaves the page as it was', pointStays, ONE_BROWSER],
 ];

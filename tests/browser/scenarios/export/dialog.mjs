@@ -247,11 +247,38 @@ async function withoutRecorder({ browser, address }) {
   await page.close();
 }
 
+/** What cannot show springs says so, and is offered again for a figure of rods. @param {Visit} visit */
+async function ofSprings(visit) {
+  const page = await openShort(visit);
+  const offered = () => page.call('formats', () => [...document.querySelectorAll('#export-dialog input[name=format]')]
+    .map((radio) => /** @type {HTMLInputElement} */ (radio)).map(({ value, disabled, checked, labels }) => ({ value, disabled, checked, words: labels?.[0]?.textContent ?? '' })));
+  await open(page);
+  const all = await offered();
+  assert.deepEqual(all.filter(({ disabled }) => disabled), []);
+  await page.call('choose', () => /** @type {HTMLInputElement} */ (document.querySelector('#export-dialog input[value=gltf]')).click());
+  await page.press('Escape');
+  const shuffle = await page.call('document', () => window.gaitsmith.document());
+  const table = await readFile(new URL('../../../../examples/gallery/table-trip.json', import.meta.url), 'utf8');
+  await page.page.evaluate((text) => window.gaitsmith.open(text), table);
+  await open(page);
+  const left = await offered();
+  assert.deepEqual(left.filter(({ disabled }) => disabled).map(({ value }) => value).sort(), ['animated-svg', 'dragonbones', 'gltf', 'godot', 'godot3', 'lottie', 'mjcf']);
+  for (const { disabled, words } of left) assert.equal(/Needs a figure of rods/.test(words), disabled, words);
+  assert.equal(left.find(({ checked }) => checked)?.value, 'gif', 'what was chosen cannot be made');
+  await page.press('Escape');
+  await page.page.evaluate((document) => window.gaitsmith.open(document), shuffle);
+  await open(page);
+  assert.deepEqual((await offered()).map(({ words }) => words), all.map(({ words }) => words));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {import('../all.mjs').Scenario[]} */
 export const EXPORT_SCENARIOS = [
   ['an export of every format, by mouse, is what it says', everyFormat],
   ['one cycle of a motion is exported as a loop', asLoop],
   ['a motion between keyframes is exported as played and as planned', ofPlan],
+  ['an export of a figure of springs offers what can show it', ofSprings],
   ['an export by keyboard alone, with the poses asked for', byKeyboard],
   ['an export of a long film is cancelled, by button and by Escape', cancelled],
   ['an export where nothing records films says so', withoutRecorder],
