@@ -262,32 +262,32 @@ class StripDrawing {
   /// The body, because a muscle that swells shows what it does. @param place of a node [px]
   void Springs(const auto& place) {
     std::vector<BodyPoint> nodes;
+    nodes.reserve(static_cast<std::size_t>(motion_.Connections().contacts));
     for (int k = 0; k < motion_.Connections().contacts; ++k) {
       const auto at = place(k);
       nodes.push_back({static_cast<float>(at[0] / layout_.scale), static_cast<float>(at[1] / layout_.scale)});
     }
-    const auto px = [&](float value_m) { return static_cast<double>(value_m) * layout_.scale; };
-    out_ += R"(<g stroke-linecap="round" stroke-linejoin="round">)"
-            "\n";
-    for (const BodyPart& part : BodyPartsOf(look_, nodes)) {
-      const std::array from = {px(part.from.x), px(part.from.y)}, to = {px(part.to.x), px(part.to.y)};
-      if (from == to) {
-        Disc(from, px(part.from_m), "#1d2733");
-        continue;
-      }
-      const double dx = to[0] - from[0], dy = to[1] - from[1];
-      const double belly = 2.0 * px(part.belly_m) / std::sqrt(dx * dx + dy * dy);  // of the curve's handle
-      const auto side = [&](double way) {
-        return "Q" + Px(from[0] + 0.5 * dx - way * belly * dy) + " " +
-               Px(from[1] + 0.5 * dy + way * belly * dx) + " ";
-      };
-      const std::string start = Px(from[0]) + " " + Px(from[1]), end = Px(to[0]) + " " + Px(to[1]);
-      const char* colour = part.far ? "#8a929b" : "#1d2733";
-      out_ += "<path d=\"M" + start + (part.far ? "L" + end : side(1.0) + end + side(-1.0) + start + "Z") +
-              "\" fill=\"" + (part.far ? "none" : colour) + "\" stroke=\"" + colour + "\" stroke-width=\"" +
-              Px(2.0 * px(part.from_m)) + "\"/>\n";
-    }
+    out_ += "<g stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    for (const BodyPart& part : BodyPartsOf(look_, nodes)) Spring(part);
     out_ += "</g>\n";
+  }
+
+  /// A spring, a muscle or a node. @param part with lengths [m] from the corner of the picture
+  void Spring(const BodyPart& part) {
+    const auto px = [&](float value_m) { return static_cast<double>(value_m) * layout_.scale; };
+    const std::array from = {px(part.from.x), px(part.from.y)}, to = {px(part.to.x), px(part.to.y)};
+    if (from == to) return Disc(from, px(part.from_m), "#1d2733");
+    const double dx = to[0] - from[0], dy = to[1] - from[1];
+    const double belly = 2.0 * px(part.belly_m) / std::sqrt(dx * dx + dy * dy);  // of the curve's handle
+    const auto side = [&](double way) {
+      return "Q" + Px(from[0] + 0.5 * dx - way * belly * dy) + " " +
+             Px(from[1] + 0.5 * dy + way * belly * dx) + " ";
+    };
+    const std::string start = Px(from[0]) + " " + Px(from[1]), end = Px(to[0]) + " " + Px(to[1]);
+    const char* colour = part.far ? "#8a929b" : "#1d2733";
+    out_ += "<path d=\"M" + start + (part.far ? "L" + end : side(1.0) + end + side(-1.0) + start + "Z") +
+            "\" fill=\"" + (part.far ? "none" : colour) + "\" stroke=\"" + colour + "\" stroke-width=\"" +
+            Px(2.0 * px(part.from_m)) + "\"/>\n";
   }
 
   void Caption(std::size_t pose) {
