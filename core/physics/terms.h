@@ -34,8 +34,7 @@ struct Terms {
   bool broke_physics = false;    // a guard tripped: see kMaxPenetration and the limits after it
 
   // Our own terms, 0 unless they were requested. See docs/style.md.
-  // Of springs effort is of muscles' rests [drawn lengths], smoothness of their lengths [drawn lengths/s^2].
-  float effort_rad = 0.0f;         // sum over joints and steps of |change of angle|
+  float effort_rad = 0.0f;         // sum over joints and steps of |change of angle|, or of muscles' rests
   float upright = 0.0f;            // mean of cos(turn of the root rod from the drawn pose), [-1, 1]
   float smoothness_radps2 = 0.0f;  // minus the mean of |change of a joint's rate| per second; 0 is smoothest
   float head_height_m = 0.0f;      // mean height of the head (Skeleton::head) above ground
