@@ -7,7 +7,7 @@ import { rankSum } from '../rank_sum.mjs';
 import { chance, line, table } from '../tables.mjs';
 
 const CELLS = ['star-man-travel', 'inchworm-travel'].flatMap((problem) => ['physical', 'timer'].map((sense) => ({ problem, sense })));
-const PAIRS = [['de', 'ssga'], ['cma-es:cma.restarts=bipop', 'cma-es'], ['ssga:genetic.niching=kept', 'ssga'], ['gga:genetic.niching=kept', 'gga'],
+const PAIRS = [['de:difference.population=100:difference.weight=0.5:difference.crossover=0.2', 'ssga'], ['cma-es:cma.restarts=bipop', 'cma-es'], ['ssga:genetic.niching=kept', 'ssga'], ['gga:genetic.niching=kept', 'gga'],
   ['map-elites:elites.crossover=0.5', 'map-elites'], ['cma-mae', 'map-elites'], ['nsga-ii', 'ssga']];
 const MAPS = PAIRS.filter(([first = '']) => first.startsWith('map-elites') || first === 'cma-mae');
 
