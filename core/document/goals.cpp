@@ -149,7 +149,7 @@ bool Meets(Goal goal, const Figure& figure, const Terms& terms, float seconds) {
   const float travel = std::abs(terms.travel_m);
   const bool travels = travel >= drawn.size;
   const auto actuators = static_cast<float>(std::max(1, figure.Actuators()));
-  // [rad/s] of a joint, [lengths/s] of a muscle: about four tenths of the range that it usually has.
+  // In a second about four tenths of a usual range: of a joint 2.4 rad, of a muscle 0.8 drawn lengths.
   const float calm_rate = figure.HasSprings() ? 0.3f : 1.0f;
   switch (goal) {
     case Goal::kFar:
