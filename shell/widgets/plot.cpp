@@ -21,6 +21,31 @@ std::string Short(double value, double spacing) {
   return Fixed(value / unit, digits) + (size >= 1e6 ? "M" : size >= 1e4 ? "k" : "");
 }
 
+constexpr float kDash = 7.0f, kDashGap = 4.0f;
+
+/// Strokes a path with dashes, whose lengths go on around corners.
+void StrokeDashed(ImDrawList* list, std::span<const ImVec2> path, ImU32 colour, float thickness) {
+  bool draws = true;
+  float left = kDash;  // of this dash or gap
+  list->PathLineTo(path.front());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    ImVec2 from = path[i - 1];
+    const ImVec2 to = path[i];
+    float length = std::hypot(to.x - from.x, to.y - from.y);
+    while (length > left) {
+      from = {from.x + (to.x - from.x) * left / length, from.y + (to.y - from.y) * left / length};
+      length -= left;
+      list->PathLineTo(from);  // ends this dash, or begins the next one
+      if (draws) list->PathStroke(colour, 0, thickness);
+      draws = !draws;
+      left = draws ? kDash : kDashGap;
+    }
+    left -= length;
+    if (draws) list->PathLineTo(to);
+  }
+  if (draws) list->PathStroke(colour, 0, thickness);
+}
+
 struct Extent {
   double low;
   double high;
@@ -57,6 +82,15 @@ std::vector<double> NiceTicks(double low, double high) {
     ticks.push_back(std::abs(tick) < 1e-9 * spacing ? 0.0 : tick);
   }
   return ticks;
+}
+
+void DrawLineSample(ImDrawList* list, ImVec2 centre, ImU32 colour, bool dashed) {
+  constexpr float kThick = 4.0f, kGap = 4.0f;
+  const ImVec2 low(centre.x - 0.5f * kLineSample, centre.y - 0.5f * kThick);
+  const ImVec2 high(centre.x + 0.5f * kLineSample, centre.y + 0.5f * kThick);
+  if (!dashed) return list->AddRectFilled(low, high, colour, 1.0f);
+  list->AddRectFilled(low, {centre.x - 0.5f * kGap, high.y}, colour, 1.0f);
+  list->AddRectFilled({centre.x + 0.5f * kGap, low.y}, high, colour, 1.0f);
 }
 
 void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect& rect, const PlotAxes& axes,
@@ -115,22 +149,25 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
   }
 
   // Drawn as steps: the best score is constant between improvements.
+  std::vector<ImVec2> path;
   for (const PlotSeries& one : series) {
     if (one.points.empty()) continue;
-    list->PathLineTo({x_of(one.points.front().x), y_of(one.points.front().y)});
-    float drawn_x = x_of(one.points.front().x);
+    path.assign(1, {x_of(one.points.front().x), y_of(one.points.front().y)});
     for (std::size_t i = 1; i < one.points.size(); ++i) {
       const float x = x_of(one.points[i].x);
       const bool rises = one.points[i].y != one.points[i - 1].y;
       // Skip steps less than half a canvas point wide.
-      if ((!rises || x - drawn_x < 0.5f) && i + 1 < one.points.size()) continue;
-      drawn_x = x;
-      list->PathLineTo({x, y_of(one.points[i - 1].y)});
-      if (rises) list->PathLineTo({x, y_of(one.points[i].y)});
+      if ((!rises || x - path.back().x < 0.5f) && i + 1 < one.points.size()) continue;
+      path.emplace_back(x, y_of(one.points[i - 1].y));
+      if (rises) path.emplace_back(x, y_of(one.points[i].y));
     }
-    const ImVec2 end(drawn_x, y_of(one.points.back().y));
-    list->PathStroke(one.colour, 0, one.thin ? 1.2f : 2.0f);
-    if (!one.thin) list->AddCircleFilled(end, 3.5f, one.colour);
+    const float thickness = one.thin ? 1.2f : 2.0f;
+    if (one.dashed) {
+      StrokeDashed(list, path, one.colour, thickness);
+    } else {
+      list->AddPolyline(path.data(), static_cast<int>(path.size()), one.colour, 0, thickness);
+    }
+    if (!one.thin) list->AddCircleFilled({path.back().x, y_of(one.points.back().y)}, 3.5f, one.colour);
   }
   ui.DrawFocus(touch, rect);
 }

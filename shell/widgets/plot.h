@@ -28,6 +28,7 @@ struct PlotSeries {
   ImU32 colour;
   std::span<const PlotSpread> spread = {};  // a band behind the lines, x ascending
   bool thin = false;                        // a fine background line without a mark at its end
+  bool dashed = false;                      // tells it from a solid line of the same colour
 };
 
 struct PlotAxes {
@@ -38,6 +39,10 @@ struct PlotAxes {
 
 /// Three or four round numbers within [low, high], low < high.
 [[nodiscard]] std::vector<double> NiceTicks(double low, double high);
+
+/// A short piece of a series' line, for legends. The sample is centred, and kLineSample wide.
+inline constexpr float kLineSample = 16.0f;
+void DrawLineSample(ImDrawList*, ImVec2 centre, ImU32 colour, bool dashed);
 
 /// @param summary text for screen readers, e.g. "best 5.31 after 13,600 evaluations"
 void DrawPlot(Ui&, std::string_view id, std::string_view label, const ImRect&, const PlotAxes&,

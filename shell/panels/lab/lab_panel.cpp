@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "shell/panels/lab/algorithm_look.h"
 #include "shell/widgets/fold.h"
 #include "shell/widgets/plot.h"
 #include "shell/words/algorithm_words.h"
@@ -18,12 +19,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-/// An algorithm's colour, the same in every run.
-ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
-  constexpr int kColours = 10;  // number of rule colours, which repeat after the tenth
-  const int index = static_cast<int>(algorithm);
-  return index < kColours ? theme.Rule(index) : theme.palette.second_ink;
-}
+ImU32 ColourOf(const Theme& theme, Algorithm algorithm) { return theme.Rule(LookOf(algorithm).hue); }
 
 /// "SPHC, 3 trials: median 5.31, quartiles 4.20 and 6.10"
 std::string SeriesText(const LabSeries& series) {
@@ -37,12 +33,14 @@ std::string SeriesText(const LabSeries& series) {
             Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2));
 }
 
-/// "halfway after 1,240 evaluations (900 to 2,100)"
+/// "halfway after 1,240 (900 to 2,100)", or "(900 or more)": some samples of the trials never got there.
 std::string HalfwayText(const RunningTime& time) {
   if (time.reached == 0) return Tr("not halfway");
   const auto rounded = [](double evaluations) {
-    return std::isfinite(evaluations) ? Grouped(static_cast<long long>(std::lround(evaluations))) : "∞";
+    return Grouped(static_cast<long long>(std::lround(evaluations)));
   };
+  if (!std::isfinite(time.high))
+    return Tr("halfway after {1} ({2} or more)", rounded(time.expected), rounded(time.low));
   return Tr("halfway after {1} ({2} to {3})", rounded(time.expected), rounded(time.low), rounded(time.high));
 }
 
@@ -93,7 +91,8 @@ void DrawCurves(Ui& ui, const Lab& lab) {
     plotted.push_back({.name = AlgorithmName(algorithm),
                        .points = medians[i],
                        .colour = ColourOf(ui.Look(), algorithm),
-                       .spread = spreads[i]});
+                       .spread = spreads[i],
+                       .dashed = LookOf(algorithm).dashed});
   }
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
@@ -107,7 +106,7 @@ void DrawCurves(Ui& ui, const Lab& lab) {
            plotted, AllText(lab));
 }
 
-/// "SPHC: 62 % of the targets, halfway after 1,240 evaluations (900 to 2,100)"
+/// "SPHC: 62 % of the targets, halfway after 1,240 (900 to 2,100)"
 std::string ReachedText(const LabSeries& series) {
   const std::string name = AlgorithmName(series.algorithm);
   if (!series.to_halfway) return Tr("{1}: none yet", name);
@@ -131,7 +130,8 @@ void DrawReached(Ui& ui, const Lab& lab) {
     plotted.push_back({.name = AlgorithmName(algorithm),
                        .points = shares[i],
                        .colour = ColourOf(ui.Look(), algorithm),
-                       .spread = {}});
+                       .spread = {},
+                       .dashed = LookOf(algorithm).dashed});
   }
   DrawPlot(ui, "lab/reached", Tr("Targets reached"), ui.Row(150.0f),
            {.x_end = static_cast<double>(std::max(lab.Evaluations(), 1)),
@@ -168,9 +168,9 @@ void DrawTable(Ui& ui, const Lab& lab) {
   put(Type::kNote, kQuartiles, ui.Ink().second_ink, Tr("quartiles"));
   for (const LabSeries& series : lab.Series()) {
     y += line;
-    list->AddRectFilled({whole.Min.x, y - 4.0f}, {whole.Min.x + 8.0f, y + 4.0f},
-                        ColourOf(ui.Look(), series.algorithm), 2.0f);
-    ui.Letters().Draw(list, Type::kBody, {whole.Min.x + 15.0f, y}, ui.Ink().ink,
+    DrawLineSample(list, {whole.Min.x + 0.5f * kLineSample, y}, ColourOf(ui.Look(), series.algorithm),
+                   LookOf(series.algorithm).dashed);
+    ui.Letters().Draw(list, Type::kBody, {whole.Min.x + kLineSample + 7.0f, y}, ui.Ink().ink,
                       AlgorithmName(series.algorithm));
     put(Type::kBody, kTrials, ui.Ink().second_ink, Grouped(series.trials));
     if (series.points.empty()) {
@@ -213,12 +213,16 @@ void DrawAlgorithms(Ui& ui, LabSettings& settings, bool all) {
       if (touch.pressed) on = !on;
       x += width + kGap;
       if (!touch.visible) continue;
-      const ImU32 colour = ColourOf(ui.Look(), static_cast<Algorithm>(next));
-      ui.Frame(chip, on ? Mix(p.panel, colour, 0.14f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f),
-               on ? Mix(p.panel, colour, 0.7f) : p.line);
+      const auto algorithm = static_cast<Algorithm>(next);
+      const ImU32 colour = ColourOf(ui.Look(), algorithm);
+      const ImU32 behind =
+          on ? Mix(p.panel, colour, 0.14f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f);
+      ui.Frame(chip, behind, on ? Mix(p.panel, colour, 0.7f) : p.line);
       const ImVec2 dot(chip.Min.x + 14.0f, chip.GetCenter().y);
       if (on) {
         ui.Canvas()->AddCircleFilled(dot, 4.5f, colour);
+        if (LookOf(algorithm).dashed)  // cut in two, like its line
+          ui.Canvas()->AddRectFilled({dot.x - 1.0f, dot.y - 5.0f}, {dot.x + 1.0f, dot.y + 5.0f}, behind);
       } else {
         ui.Canvas()->AddCircle(dot, 4.0f, p.second_ink, 0, 1.2f);
       }

@@ -11,6 +11,7 @@ import { BREED_SCENARIOS } from './breed.mjs';
 import { EXPORT_SCENARIOS } from './export/dialog.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
+import { FRONT_SCENARIOS } from './front.mjs';
 import { GALLERY_SCENARIOS } from './gallery.mjs';
 import { LIVE_SCENARIOS } from './live.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
@@ -262,6 +263,7 @@ export const MAIN_SCENARIOS = [
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
   ...once(LAB_SCENARIOS),
+  ...once(FRONT_SCENARIOS),
   ...rarely(HINT_SCENARIOS),
   ...once(HISTORY_SCENARIOS),
   ...once(KEPT_WORK_SCENARIOS),
