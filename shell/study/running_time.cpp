@@ -2,7 +2,10 @@
 #include "shell/study/running_time.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <string>
 
 #include "core/numeric/random.h"
 #include "core/search/search.h"
@@ -27,6 +30,22 @@ std::size_t PointOf(const Progress& trial, double target) {
   return static_cast<std::size_t>(at - trial.begin());
 }
 
+/// A number as tables print it, or the one before if that is above the number: a target that is read from a
+/// table must not be missed by the trial that set it.
+double InSixDigits(double value) {
+  const auto printed = [](const char* format, double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, number);
+    return std::string(text);
+  };
+  const auto number = [](const std::string& text) { return std::strtod(text.c_str(), nullptr); };
+  const double near = number(printed("%.6g", value));
+  if (!(near > value)) return near;
+  const std::string text = printed("%.5e", near);
+  const int exponent = std::atoi(text.c_str() + text.find('e') + 1);
+  return number(printed("%.6g", near - number("1e" + std::to_string(exponent - 5))));
+}
+
 double Expected(double evaluations, int reached) {
   return reached > 0 ? evaluations / reached : std::numeric_limits<double>::infinity();
 }
@@ -44,11 +63,11 @@ std::vector<double> TargetsOf(std::span<const Progress> trials, int count) {
   }
   if (first.empty()) return {};
   const double least = Quantile(first, 0.5);
-  if (!(least < best)) return {best};
+  if (!(least < best)) return {InSixDigits(best)};
   std::vector<double> targets;
   targets.reserve(static_cast<std::size_t>(count));
-  for (int i = 1; i <= count; ++i) targets.push_back(least + (best - least) * i / count);
-  targets.back() = best;  // not a rounding above it
+  for (int i = 1; i < count; ++i) targets.push_back(InSixDigits(least + (best - least) * i / count));
+  targets.push_back(InSixDigits(best));
   return targets;
 }
 

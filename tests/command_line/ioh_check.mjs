@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks a folder that `gaitsmith compare --summary CSV --ioh DIR` wrote against the format that IOHanalyzer documents:
+// Checks a folder that `gaitsmith compare --summary CSV --ioh DIR` wrote against what IOHanalyzer reads; tests/peers/running_times.R asks its own reader:
 //   node tests/command_line/ioh_check.mjs DIR
 // In a search's folder a file for each function, in JSON, and beside it the data of its runs, one block each.
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';

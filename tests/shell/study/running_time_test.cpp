@@ -4,6 +4,8 @@
 
 #include <catch_amalgamated.hpp>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 #include "core/numeric/random.h"
@@ -82,6 +84,17 @@ TEST_CASE("targets: from the median of what is there at first to the best of all
   CHECK(TargetsOf(std::vector<Progress>{{kNone, kNone}, {-1e9f, -1e9f}}).empty());
   CHECK(TargetsOf(std::vector<Progress>{{5.0f, 5.0f}}) == std::vector<double>{5.0});
   CHECK(TargetsOf({}).empty());
+}
+
+TEST_CASE("targets: a printed one is what was meant, and reached by the trial that set it", "[study]") {
+  const float best = GENERATE(20.09115f, 14.22905f, -3.1415927f, 0.0f, 9.9999999e-7f, 123456.79f, 999999.5f);
+  const double target = TargetsOf(std::vector<Progress>{{best, best}}).back();
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", target);
+  CAPTURE(best, text);
+  CHECK(std::strtod(text, nullptr) == target);
+  CHECK(target <= static_cast<double>(best));
+  CHECK(target >= static_cast<double>(best) - 1e-5 * std::abs(static_cast<double>(best)));
 }
 
 TEST_CASE("shares: of all trials and targets, at each point", "[study]") {
