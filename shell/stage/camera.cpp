@@ -33,8 +33,8 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
                  const ImRect& rect, float ground_y, const std::optional<Framing>& framing) {
   constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
   constexpr float kLeast = 96.0f;    // of a figure on a low stage [points]
-  const float above = ground_y - rect.Min.y;
-  const float tall = std::max(std::min(0.5f * rect.GetHeight(), above - (framing ? framing->headroom : 0.0f)),
+  const float above = ground_y - rect.Min.y, half = 0.5f * rect.GetHeight();
+  const float tall = std::max(std::min(half, above - (framing ? framing->headroom : kNumbers)),
                               std::min(1.15f * kLeast, above - 2.0f));
   const float reach = player.ReachM();
   const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
@@ -47,9 +47,11 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
   const float room = std::max({20.0f, above - kNumbers, standing * player.StandingM()});
   const Playback::Height height = player.HeightAt(player.TimeS());
   Camera camera;
-  const bool low = tall > 0.5f * rect.GetHeight();
+  const bool low = tall > half;
+  // In a high jump two thirds of that, or a third of a low stage, of which the numbers take their part.
+  const float part = std::max(1.0f, half / tall) / 1.5f;
   const float least = std::min(
-      standing, std::max(standing / 1.5f, low ? kLeast / std::max(player.StandingM(), 1.5f * reach) : 0.0f));
+      standing, std::max(standing * part, low ? kLeast / std::max(player.StandingM(), 1.5f * reach) : 0.0f));
   camera.level_m = player.CameraGroundAt(player.TimeS());
   camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), least, standing);
   const Extent extent = ExtentOf(player.EndpointsAt(player.TimeS()));

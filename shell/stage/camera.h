@@ -63,9 +63,9 @@ struct Framing {
 /// Height of the ground below the ground line [points]. @param buttons  the stage has a row of buttons there
 [[nodiscard]] float GroundRoom(float stage_height, bool buttons);
 
-/// The standing figure takes half of the stage's height, if its width allows. The camera follows smoothly. It
-/// backs off for high jumps until the figure would take a third, then looks up. Where a drawn ground rises or
-/// falls, the camera rises and falls with it.
+/// The standing figure takes half of the stage's height, if its width and the numbers at the top allow. The
+/// camera follows smoothly. It backs off for high jumps until the figure would take a third, then looks up.
+/// Where a drawn ground rises or falls, the camera rises and falls with it.
 /// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
                                float ground_y, const std::optional<Framing>& = {});
