@@ -19,6 +19,7 @@ PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM ll
 BROWSERS=(chromium firefox-esr xvfb xauth)
 HEADLESS=chromium-headless-shell # the same engine without windows; some systems lack it
 WEBKIT=webkit2gtk-driver # some systems lack it; their tests leave WebKit out
+SLURM=(slurm-wlm munge) # a scheduler of clusters
 MEASURES=(valgrind libbox2d-dev libchipmunk-dev) # instruction counts; the engines for comparison
 AARCH64=(g++-aarch64-linux-gnu qemu-user-static) # another processor, for determinism
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Evaluations per second from Python against the native evaluator_bench, in turn in one run, on one core. The same 64
-genomes: random controllers of Mr. Star-Man. Counts processor time, so that other programs matter less.
+genomes: random controllers of Mr. Star-Man. Counts processor time, so that other programs matter less. Writes
+build/bench-python.json, which report.mjs judges. ./dev bench runs it once the wheel is there.
 
     ./dev python && cmake --build --preset release --target evaluator_bench
     build/python-venv/bin/python tests/bench/python_bench.py [rounds]
@@ -48,6 +49,8 @@ def main(rounds: int) -> None:
     ratios = np.array([row[1] / row[0] for row in rows])
     print(f"native {one:.0f}/s, Python {other:.0f}/s: {statistics.median(ratios):.3f} of it ({ratios.min():.3f} to {ratios.max():.3f})")
     print(f"VectorEnv of 64 worlds: {steps:.0f} steps/s")
+    found = {"native": one, "python": other, "overNative": statistics.median(ratios), "rounds": ratios.tolist(), "worldStepsPerSecond": steps}
+    (ROOT / "build/bench-python.json").write_text(json.dumps(found) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -89,6 +89,10 @@ if (browser) {
 const synthesize = load('synthesize');
 row('g', 'gaitsmith synthesize, resident', synthesize?.residentBytes && synthesize.residentBytes / 1024 / 1024, '<=', 50, ' MB');
 
+const python = load('python');
+row('h', 'evaluate from Python ÷ native, medians of rounds in turn', python?.overNative, '>=', 0.9, '',
+  python && `${Math.min(...python.rounds).toFixed(2)} to ${Math.max(...python.rounds).toFixed(2)}`);
+
 /** @param {string} name @returns {[string, number][]} medians, or single results */
 const native = (name) => (load(name)?.benchmarks ?? [])
   .filter((/** @type {any} */ one) => (one.aggregate_name ?? 'median') === 'median')

@@ -59,7 +59,7 @@ class Motions(unittest.TestCase):
         np.testing.assert_array_equal(found["step"], numbers[:, 0])
         np.testing.assert_array_equal(found["rule"], numbers[:, 2])
 
-    def test_threads_simulate_at_the_same_time(self):
+    def test_threads_may_simulate_together(self):
         document = gaitsmith.read("star-man-shuffle")
         hashes = []
         threads = [threading.Thread(target=lambda: hashes.append(gaitsmith.simulate(document).hash)) for _ in range(4)]

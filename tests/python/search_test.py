@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Evaluations, searches and comparisons find what the command line finds."""
+import csv
 import json
 import signal
 import tempfile
 import threading
 import time
+import tracemalloc
 import unittest
 from pathlib import Path
 
@@ -48,10 +50,21 @@ class Evaluating(unittest.TestCase):
         fine = ~found["void"]
         np.testing.assert_allclose(found["fitness"][fine], np.abs(found["travel"][fine]) + 5 * found["upright"][fine], rtol=1e-6)
 
-    def test_parts_of_arrays_are_not_copied(self):
+    def test_parts_of_arrays_give_their_rows(self):
         genomes = self.problem.random_genomes(8)
         np.testing.assert_array_equal(self.problem.evaluate(genomes[2:5])["fitness"], self.problem.evaluate(genomes)["fitness"][2:5])
         self.assertEqual(len(self.problem.evaluate(genomes[:0])["fitness"]), 0)
+
+    def test_genomes_are_not_copied(self):
+        genomes = self.problem.random_genomes(2000)
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        found = self.problem.evaluate(genomes)
+        most = tracemalloc.get_traced_memory()[1] - sum(column.nbytes for column in found.values())
+        self.assertLess(most, genomes.nbytes / 4)
+        tracemalloc.reset_peak()
+        copy = genomes.copy()  # what the limit would notice
+        self.assertGreater(tracemalloc.get_traced_memory()[1], copy.nbytes)
 
     def test_wrong_arrays_are_named(self):
         genomes, genes = self.problem.random_genomes(4), self.problem.genes
@@ -265,6 +278,13 @@ class Comparing(unittest.TestCase):
         np.testing.assert_array_equal(best[:, -1], study.best("hopper-jump", "sphc"))
         with self.assertRaisesRegex(gaitsmith.Error, "has no trials"):
             study.best("hopper-jump", "cma-es")
+
+    def test_a_cell_of_figure_6_is_that_of_the_study(self):
+        with (ROOT / "docs/studies/searches/hopper-jump-physical.csv").open(encoding="utf-8") as table:
+            rows = csv.DictReader(line for line in table if not line.startswith("#"))
+            reported = next(row["best"] for row in rows if (row["search"], row["seed"]) == ("sphc", "1"))
+        study = gaitsmith.compare({"hopper-jump": gaitsmith.read("hopper-jump")}, ["sphc"], trials=1, evaluations=40000)
+        self.assertEqual(f"{study.best('hopper-jump', 'sphc')[0]:.9g}", reported)
 
     def test_ranks(self):
         self.assertEqual(gaitsmith.compare_ranks([3, 4], [1, 2])[:2], (4.0, 1.0))
