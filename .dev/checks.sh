@@ -100,6 +100,15 @@ check_aarch64() {
   done
 }
 
+# The lines of docs/clusters.md on a cluster of one node. Exit status 77: Slurm cannot run here.
+check_slurm() {
+  command -v apt-get >/dev/null || leave_out "no apt here: Slurm is left out"
+  apt_need "${SLURM[@]}"
+  cmake --preset tests >/dev/null
+  cmake --build build/tests --target gaitsmith
+  tests/clusters/slurm_test.sh build/tests/shell/gaitsmith .
+}
+
 # Only the native program has threads. ThreadSanitizer checks all code that uses them, and the command line's whole
 # contract.
 check_threads() {
@@ -244,6 +253,7 @@ test_everything() {
   stage packages check_packages
   stage python check_python
   stage aarch64 check_aarch64
+  stage Slurm check_slurm
   stage "instruction count" check_instructions
   stage "Box2D" check_box2d
   say "waiting for the second lane"

@@ -55,8 +55,9 @@ adversary() {
   "$program" --model 3 --out docs/studies/adversary/springs --evaluations 8000 --seeds 1000 --minutes "$third"
 }
 
-# Other programs' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), Slurm's of the lines for
-# clusters, Godot's of exported scenes. docs/physics.md, docs/clusters.md and docs/exporting.md explain the tables.
+# Other programs' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), pagmo's of searches, Slurm's
+# of the lines for clusters, PyTorch's of the code that trains policies, IOHanalyzer's of running times, Godot's of exported
+# scenes. docs/physics.md, docs/search.md, docs/clusters.md, docs/command-line.md and docs/exporting.md explain the tables.
 peers() {
   cmake --preset release
   cmake --build --preset release --target flight gaitsmith
@@ -71,13 +72,25 @@ peers() {
     say "pagmo is not installed here: searches are not compared"
   fi
   local status=0
-  if command -v apt-get >/dev/null; then apt_need slurm-wlm munge; fi
+  if command -v apt-get >/dev/null; then apt_need "${SLURM[@]}"; fi
   tests/clusters/slurm_test.sh build/release/shell/gaitsmith . docs/studies/peers/slurm.csv || status=$?
   case $status in
     0) say "what became of Slurm's tasks: docs/studies/peers/slurm.csv" ;;
     "$LEFT_OUT") ;;
     *) die "the lines of docs/clusters.md fail with Slurm" ;;
   esac
+  if command -v Rscript >/dev/null && Rscript -e 'library(IOHanalyzer)' >/dev/null 2>&1; then
+    Rscript tests/peers/running_times.R build/release/shell/gaitsmith docs/studies/pecking-order/curves/hopper-travel-physical.csv docs/studies/peers/running-times.csv
+  else
+    say "IOHanalyzer, an R package, is not installed here: running times are not compared"
+  fi
+  if command -v apt-get >/dev/null; then apt_need python3-torch; fi
+  if "$(system_python)" -c 'import torch' 2>/dev/null; then
+    say "a pendulum, which the code of docs/studies/policy learns to swing up (minutes)"
+    "$(system_python)" tests/peers/pendulum.py
+  else
+    say "PyTorch is not installed here: no policy is trained"
+  fi
   if command -v apt-get >/dev/null; then apt_need godot3-server; fi
   command -v godot3-server >/dev/null || { say "Godot 3 is not installed here: scenes are not played"; return; }
   node tests/peers/godot.mjs build/release/shell/gaitsmith --out docs/studies/peers/godot.csv

@@ -89,9 +89,8 @@ for (const problem of PROBLEMS) {
       const best = sizes.reduce((a, b) => (median(ways(b)) > median(ways(a)) ? b : a));
       for (let seed = 3101; seed <= 3120; seed++) {
         const key = `${problem},${search},${arm},${best},${seed}`;
-        const last = DISTURBANCES.at(-1);
         const own = `${problem},${search},${arm},${seed}`, twin = `${problem},${search},recorded,${seed}`;
-        const done = (/** @type {string} */ of) => survived.has(`${of},${last?.name},${last?.size}`);
+        const done = (/** @type {string} */ of) => [{ name: 'none', size: 0 }, ...DISTURBANCES].every(({ name, size }) => survived.has(`${of},${name},${size}`));
         if (found.has(key) && done(own) && (arm !== 'senses' || done(twin))) continue;
         const path = join(work, 'found.json');
         find(problem, search, arm, best, seed, path);

@@ -10,7 +10,8 @@ const [, , gaitsmith, box2d] = process.argv;
 const examples = fileURLToPath(new URL('../../../examples/', import.meta.url));
 
 /** Why a document's world cannot be built in the examples, or ''. @param {any} document */
-function strange({ timeline = [], environment = {}, pushes = [], start = {} }) {
+function strange({ figure, timeline = [], environment = {}, pushes = [], start = {} }) {
+  if (figure.springs) return 'springs';
   if (timeline.length !== 1) return `${timeline.length} clips`;
   if (pushes.length > 0) return 'pushes';
   if (environment.slope_rad || environment.sway_rad || environment.ground?.length) return 'ground that is not level';
