@@ -39,7 +39,8 @@ constexpr Palette kDark = {.paper = Rgb(0x14181d),
                            .bad = Rgb(0xf08a80),
                            .strain = Rgb(0xe85d10),
                            .ground = IM_COL32(0x33, 0x3c, 0x46, 89),
-                           .dark = true};
+                           .dark = true,
+                           .rules = 0.24f};
 
 constexpr Palette kStrongLight = {.paper = Rgb(0xffffff),
                                   .panel = Rgb(0xffffff),
@@ -52,7 +53,8 @@ constexpr Palette kStrongLight = {.paper = Rgb(0xffffff),
                                   .good = Rgb(0x005c2e),
                                   .bad = Rgb(0x9b0000),
                                   .strain = Rgb(0xc25400),
-                                  .ground = IM_COL32(0x00, 0x00, 0x00, 36)};
+                                  .ground = IM_COL32(0x00, 0x00, 0x00, 36),
+                                  .rules = -0.2f};
 
 constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
                                  .panel = Rgb(0x000000),
@@ -66,7 +68,8 @@ constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
                                  .bad = Rgb(0xff9d92),
                                  .strain = Rgb(0xe06000),
                                  .ground = IM_COL32(0xff, 0xff, 0xff, 48),
-                                 .dark = true};
+                                 .dark = true,
+                                 .rules = 0.24f};
 
 ImVec4 Float(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
@@ -87,10 +90,10 @@ const Palette& PaletteOf(PaletteName name) {
 
 ImU32 Palette::ScoreInk(float score) const { return score <= kVoidScore ? bad : score < 0.0f ? ink : good; }
 
-ImU32 RuleColour(int rule, bool dark) {
+ImU32 RuleColour(int rule, const Palette& p) {
   const ImU32 colour = Rgb(RuleColourHex(rule));
-  // Lighten all colours equally on a dark panel, to keep them visible and distinguishable.
-  return dark ? Mix(colour, IM_COL32_WHITE, 0.24f) : colour;
+  if (p.rules == 0.0f) return colour;
+  return Mix(colour, p.rules > 0.0f ? IM_COL32_WHITE : IM_COL32_BLACK, std::abs(p.rules));
 }
 
 ImU32 Mix(ImU32 from, ImU32 to, float share) {

@@ -25,6 +25,7 @@ struct Palette {
   ImU32 strain;  // of a limb whose joint gives all that it can
   ImU32 ground;  // overlay on the paper below the ground line
   bool dark = false;
+  float rules = 0.0f;  // all rule colours are mixed with so much white or, if negative, black
 
   /// For a score as text: only good scores are green, not negative or void ones.
   [[nodiscard]] ImU32 ScoreInk(float score) const;
@@ -38,8 +39,9 @@ inline constexpr std::array<std::string_view, 4> kPaletteNames = {"light", "dark
 [[nodiscard]] const Palette& PaletteOf(PaletteName);
 
 /// Colour of a rule or controller, counted from 0. Repeats after ten. Any two differ by at least 22 in CIE
-/// Lab for protanopes, deuteranopes and tritanopes [Machado 2009].
-[[nodiscard]] ImU32 RuleColour(int rule, bool dark);
+/// Lab for protanopes, deuteranopes and tritanopes [Machado 2009] in the light theme, and by at least 14 in
+/// any.
+[[nodiscard]] ImU32 RuleColour(int rule, const Palette&);
 
 /// Blends `from` and `to` linearly, share of `to` in [0, 1]; opaque.
 [[nodiscard]] ImU32 Mix(ImU32 from, ImU32 to, float share);
@@ -53,7 +55,7 @@ struct Theme {
   bool touch = false;    // touch screen: most targets are 44 px high
   float density = 1.0f;  // device pixels per point
 
-  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
+  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette); }
   /// Height of buttons, fields and sliders' hit areas [points].
   [[nodiscard]] float ControlHeight() const { return touch ? 44.0f : 30.0f; }
   /// Height of the buttons that start something [points].

@@ -56,15 +56,16 @@ Triple LabOf(ImU32 colour, const Sight& sight) {
 
 /// The least distance in CIE Lab, over all kinds of sight, between two algorithms that are both solid or both
 /// dashed.
-double LeastDistance(bool dark) {
+double LeastDistance(PaletteName name) {
+  const Palette& palette = PaletteOf(name);
   double least = std::numeric_limits<double>::infinity();
   for (const Sight& sight : kSights) {
     for (std::size_t i = 0; i < kAlgorithmLooks.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const AlgorithmLook &a = kAlgorithmLooks[i], &b = kAlgorithmLooks[j];
         if (a.dashed != b.dashed) continue;
-        const Triple one = LabOf(RuleColour(a.hue, dark), sight);
-        const Triple other = LabOf(RuleColour(b.hue, dark), sight);
+        const Triple one = LabOf(RuleColour(a.hue, palette), sight);
+        const Triple other = LabOf(RuleColour(b.hue, palette), sight);
         least = std::min(least, std::hypot(one[0] - other[0], one[1] - other[1], one[2] - other[2]));
       }
     }
@@ -85,8 +86,10 @@ TEST_CASE("algorithm look: each has its own, and the first ten are solid", "[she
 }
 
 TEST_CASE("algorithm look: hues differ also for people who see fewer colours", "[shell][lab]") {
-  CHECK(LeastDistance(false) >= 22.0);
-  CHECK(LeastDistance(true) >= 14.0);  // all are lighter on a dark panel
+  CHECK(LeastDistance(PaletteName::kLight) >= 22.0);
+  CHECK(LeastDistance(PaletteName::kStrongLight) >= 18.0);
+  for (const PaletteName dark : {PaletteName::kDark, PaletteName::kStrongDark})
+    CHECK(LeastDistance(dark) >= 14.0);
 }
 
 }  // namespace gaitsmith::shell

@@ -60,6 +60,19 @@ TEST_CASE("theme: a limb at its limit stands out from the stage and from other l
   }
 }
 
+TEST_CASE("theme: lines in the colours of rules can be seen, best in the strong themes") {
+  const auto least = [](PaletteName name) {
+    const Palette& p = PaletteOf(name);
+    double contrast = 21.0;
+    for (int rule = 0; rule < 10; ++rule)
+      contrast = std::min(contrast, Contrast(RuleColour(rule, p), p.panel));
+    return contrast;
+  };
+  CHECK(least(PaletteName::kLight) >= 2.2);
+  for (const PaletteName name : {PaletteName::kDark, PaletteName::kStrongLight, PaletteName::kStrongDark})
+    CHECK(least(name) >= 3.0);
+}
+
 TEST_CASE("theme: only good scores are green") {
   const Palette& p = PaletteOf(PaletteName::kLight);
   CHECK(p.ScoreInk(0.0f) == p.good);
