@@ -77,7 +77,7 @@ function lasting(path, { times = [] }) {
 function makeAgain(name, program, seed) {
   let state = seed; // the same numbers for the same seed
   const below = (/** @type {number} */ bound) => (state = (state * 48271) % 2147483647) % bound;
-  const study = join(studies, name), how = howOf(name), place = join(root, 'build/study-check'), copy = join(place, 'docs/studies', name);
+  const study = join(studies, name), how = howOf(name), place = join(root, 'build/study-check', name), copy = join(place, 'docs/studies', name);
   rmSync(place, { recursive: true, force: true });
   mkdirSync(join(place, 'docs/studies'), { recursive: true });
   for (const entry of readdirSync(root)) if (entry !== 'docs') symlinkSync(join(root, entry), join(place, entry));
@@ -129,7 +129,7 @@ function makeAgain(name, program, seed) {
   const gone = tables.filter((file) => !existsSync(join(copy, file)));
   if (gone.length) fail(`${name}: not made again: ${gone.join(', ')}`);
   const other = tables.filter((file) => lasting(join(study, file), how(file)) !== lasting(join(copy, file), how(file)));
-  if (other.length) fail(`${name}: other bytes in ${other.join(', ')}; compare docs/studies/${name} with build/study-check/docs/studies/${name}`);
+  if (other.length) fail(`${name}: other bytes in ${other.join(', ')}; compare docs/studies/${name} with build/study-check/${name}/docs/studies/${name}`);
   console.log(`${name}: the same bytes`);
   rmSync(place, { recursive: true, force: true });
 }
