@@ -10,17 +10,19 @@
 //   "command"  what makes it, from the folder: words, with {gaitsmith} and {box2d} for programs. Else run or run.mjs
 //   "by"       columns: one row is drawn, and all that are the same in these go, because they are made together
 //   "also"     tables of which the same rows go
-//   "whole"    the file goes, and all of it is made again. "most": of so many files of this pattern, else as of others
+//   "whole"    the file goes, all of it is made again, and the order of its rows counts. "most": of so many files of this pattern
 //   "times"    columns that no run repeats, which are not compared
-//   "kept"     the table is made with others: nothing is taken out of it, but it is compared
+//   "kept"     the file is made with others: nothing is taken out of it, but it is compared
+// Commands run in the order of their patterns. Files that the folder's .gitignore names are neither data nor copied.
 import { spawnSync } from 'node:child_process';
 import { createHash, randomInt } from 'node:crypto';
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { join, relative, resolve } from 'node:path';
+import { accessSync, constants, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { basename, join, relative, resolve } from 'node:path';
 
 /** @typedef {{command?: string, by?: string[], also?: string[], whole?: boolean, most?: number, times?: string[], kept?: boolean}} How */
 /** @typedef {{log?: string, tables?: Record<string, How>}} Plan */
 const MOST_TABLES = 10, ROWS = 3;
+const WORDS = ['command', 'by', 'also', 'whole', 'most', 'times', 'kept'];
 const studies = import.meta.dirname, root = join(studies, '../..');
 /** @param {string} what @returns {never} */
 function fail(what) {
@@ -34,12 +36,24 @@ const names = readdirSync(studies, { withFileTypes: true }).filter((entry) => en
 const has = (/** @type {string} */ name, /** @type {string} */ file) => existsSync(join(studies, name, file));
 /** @param {string} name @returns {Plan} */
 const planOf = (name) => (has(name, 'check.json') ? JSON.parse(readFileSync(join(studies, name, 'check.json'), 'utf8')) : {});
+/** @param {string} name @returns {string[]} */
+const ignoredIn = (name) => (has(name, '.gitignore') ? readFileSync(join(studies, name, '.gitignore'), 'utf8').split('\n') : []);
 /** A study's data. @param {string} name */
-const dataOf = (name) => filesIn(join(studies, name)).filter((file) => /\.(csv|json)$/.test(file) && file !== 'check.json');
+const dataOf = (name) => filesIn(join(studies, name)).filter((file) => /\.(csv|json)$/.test(file) && file !== 'check.json' && !ignoredIn(name).includes(file));
 /** @param {string} name */
 const sumsOf = (name) => dataOf(name).map((file) => `${createHash('sha256').update(readFileSync(join(studies, name, file))).digest('hex')}  ${file}\n`).join('');
 /** @param {string} name */
 const commandOf = (name) => ['run', 'run.mjs'].find((each) => has(name, each));
+
+/** @param {string} path */
+function isProgram(path) {
+  try {
+    accessSync(path, constants.X_OK);
+    return statSync(path).isFile();
+  } catch {
+    return false;
+  }
+}
 
 /** What a folder lacks, or ''. @param {string} name */
 function lacks(name) {
@@ -47,6 +61,11 @@ function lacks(name) {
   if (!has(name, 'question.md')) return 'has no question.md';
   if (!has(name, 'sums.txt')) return `has no sums.txt; ./dev study ${name} --sums writes it`;
   if (readFileSync(join(studies, name, 'sums.txt'), 'utf8') !== sumsOf(name)) return 'has other data than sums.txt says';
+  for (const [pattern, how] of Object.entries(planOf(name).tables ?? {})) {
+    const strange = Object.keys(how).find((word) => !WORDS.includes(word));
+    if (strange) return `has an unknown word in check.json: '${strange}'`;
+    if (!dataOf(name).some((file) => new RegExp(pattern).test(file))) return `has no file for '${pattern}' of check.json`;
+  }
   return commandOf(name) || dataOf(name).every((file) => howOf(name)(file).command) ? '' : 'has no command "run"';
 }
 
@@ -65,12 +84,13 @@ function read(path) {
   const cells = (row, of) => of.map((column) => row.split(',')[columns.indexOf(column)]).join(',');
   return { above: lines.slice(0, head + 1), columns, rows: lines.slice(head + 1), cells };
 }
-/** A file's lines in an order of their own, without what no run repeats. @param {string} path @param {How} how */
-function lasting(path, { times = [] }) {
-  if (!path.endsWith('.csv')) return readFileSync(path, 'utf8');
+/** What a run repeats of a file. Rows that are made again come last, so their order does not count. @param {string} path @param {How} how */
+function lasting(path, { times = [], whole }) {
+  if (!path.endsWith('.csv') || (whole && !times.length)) return readFileSync(path, 'utf8');
   const { above, columns, rows, cells } = read(path);
   const kept = columns.filter((column) => !times.includes(column));
-  return [...above, ...rows.map((row) => (times.length ? cells(row, kept) : row)).sort()].join('\n');
+  const lines = rows.map((row) => (times.length ? cells(row, kept) : row));
+  return [...above, ...(whole ? lines : lines.sort())].join('\n');
 }
 
 /** @param {string} name @param {string} program @param {number} seed */
@@ -83,7 +103,7 @@ function makeAgain(name, program, seed) {
   for (const entry of readdirSync(root)) if (entry !== 'docs') symlinkSync(join(root, entry), join(place, entry));
   for (const entry of readdirSync(join(root, 'docs'))) if (entry !== 'studies') symlinkSync(join(root, 'docs', entry), join(place, 'docs', entry));
   for (const entry of readdirSync(studies)) if (entry !== name) symlinkSync(join(studies, entry), join(place, 'docs/studies', entry));
-  cpSync(study, copy, { recursive: true });
+  cpSync(study, copy, { recursive: true, filter: (from) => !ignoredIn(name).includes(basename(from)) });
 
   const tables = dataOf(name), chosen = tables.filter((file) => !how(file).kept);
   const drop = (/** @type {(file: string) => boolean} */ fits, /** @type {number} */ most) => {
@@ -91,10 +111,11 @@ function makeAgain(name, program, seed) {
   };
   for (const way of new Set(chosen.map(how))) if (way.most) drop((file) => how(file) === way, way.most);
   drop(() => true, MOST_TABLES);
-  const taken = /** @type {string[]} */ ([]), commands = new Set();
+  const taken = /** @type {string[]} */ ([]);
+  const order = Object.values(planOf(name).tables ?? {});
+  const commands = new Set(chosen.map(how).sort((a, b) => order.indexOf(a) - order.indexOf(b)).map(({ command }) => command ?? `${commandOf(name)} {gaitsmith}`));
   for (const file of chosen) {
-    const { command, by, also = [], whole } = how(file), path = join(copy, file);
-    commands.add(command ?? `${commandOf(name)} {gaitsmith}`);
+    const { by, also = [], whole } = how(file), path = join(copy, file);
     if (whole || !file.endsWith('.csv')) {
       rmSync(path);
       taken.push(`all of ${file}`);
@@ -149,6 +170,8 @@ if (name === '--all' || name === '') {
     const { log } = planOf(name), fault = lacks(name);
     if (log) fail(`${name} is a log: ${log}`);
     if (fault) fail(`${name} ${fault}`);
-    makeAgain(name, program, Number(given ?? randomInt(1, 2 ** 31)));
+    if (!isProgram(program)) fail(`'${program}' is no program: check.mjs ${name} build/release/shell/gaitsmith [seed]`);
+    if (given !== undefined && !/^[1-9]\d{0,8}$/.test(given)) fail(`'${given}' is no seed: a whole number from 1 to 999999999`);
+    makeAgain(name, program, Number(given ?? randomInt(1, 1e9)));
   }
 }

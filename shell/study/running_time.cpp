@@ -41,7 +41,7 @@ double InSixDigits(double value) {
   const auto number = [](const std::string& text) { return std::strtod(text.c_str(), nullptr); };
   const double near = number(printed("%.6g", value));
   if (!(near > value)) return near;
-  const std::string text = printed("%.5e", near);
+  const std::string text = printed("%.17e", value);
   const int exponent = std::atoi(text.c_str() + text.find('e') + 1);
   return number(printed("%.6g", near - number("1e" + std::to_string(exponent - 5))));
 }

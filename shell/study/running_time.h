@@ -18,7 +18,7 @@ inline constexpr int kTargets = 20;
 
 /// Targets that tell searches apart, rising evenly from the median of what the trials have at the first point
 /// to the best of all; one where these are the same, none without a motion. Each has six digits, as it is
-/// printed.
+/// printed, and is rounded down; scores that differ by less have equal targets.
 /// @param trials of all searches on one problem
 [[nodiscard]] std::vector<double> TargetsOf(std::span<const Progress> trials, int count = kTargets);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tables and pictures of question.md, with the Python module. Resumable: a problem that has its rows is left out.
+"""The tables of question.md, with the Python module; pictures.py draws them. Resumable: a problem that has its rows is left out.
 
     ./dev python && build/python-venv/bin/python docs/studies/landscapes/run.py
 """

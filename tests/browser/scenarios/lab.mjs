@@ -136,6 +136,12 @@ const median = (values) => {
   return (sorted[Math.floor(middle)] + sorted[Math.ceil(middle)]) / 2;
 };
 
+/** As a table prints it, but not above it. @param {number} value */
+const inSixDigits = (value) => {
+  const near = Number(value.toPrecision(6));
+  return near > value ? Number((near - 10 ** (Math.floor(Math.log10(Math.abs(value))) - 5)).toPrecision(6)) : near;
+};
+
 /**
  * What the fold "How soon" must say of the first trials of a run, from nothing but their rows.
  * @param {LabRow[]} rows @param {{algorithms: string[], evaluations: number}} options @param {number} finished  trials
@@ -151,7 +157,7 @@ function soonFrom(rows, { algorithms, evaluations }, finished) {
   });
   const least = median(trials.flatMap(({ points }) => points.find(({ best }) => best > NO_MOTION)?.best ?? []));
   const most = Math.max(...trials.map(({ points }) => points[count - 1].best));
-  const targets = Array.from({ length: 20 }, (_, i) => (i < 19 ? least + ((most - least) * (i + 1)) / 20 : most));
+  const targets = Array.from({ length: 20 }, (_, i) => inSixDigits(i < 19 ? least + ((most - least) * (i + 1)) / 20 : most));
   const halfway = targets[9];
   const said = algorithms.map((search) => {
     const own = trials.filter((trial) => trial.search === search);
