@@ -10,6 +10,7 @@
 //   "command"  what makes it, from the folder: words, with {gaitsmith} and {box2d} for programs. Else run or run.mjs
 //   "by"       columns: one row is drawn, and all that are the same in these go, because they are made together
 //   "also"     tables of which the same rows go
+//   "where"    values of columns: only such rows are drawn for "by", because others differ from processor to processor
 //   "whole"    the file goes, all of it is made again, and the order of its rows counts. "most": of so many files of this pattern
 //   "times"    columns that no run repeats, which are not compared
 //   "kept"     the file is made with others: nothing is taken out of it, but it is compared
@@ -19,10 +20,10 @@ import { createHash, randomInt } from 'node:crypto';
 import { accessSync, constants, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
 
-/** @typedef {{command?: string, by?: string[], also?: string[], whole?: boolean, most?: number, times?: string[], kept?: boolean}} How */
+/** @typedef {{command?: string, by?: string[], also?: string[], where?: Record<string, string>, whole?: boolean, most?: number, times?: string[], kept?: boolean}} How */
 /** @typedef {{log?: string, tables?: Record<string, How>}} Plan */
 const MOST_TABLES = 10, ROWS = 3;
-const WORDS = ['command', 'by', 'also', 'whole', 'most', 'times', 'kept'];
+const WORDS = ['command', 'by', 'also', 'where', 'whole', 'most', 'times', 'kept'];
 const studies = import.meta.dirname, root = join(studies, '../..');
 /** @param {string} what @returns {never} */
 function fail(what) {
@@ -115,7 +116,7 @@ function makeAgain(name, program, seed) {
   const order = Object.values(planOf(name).tables ?? {});
   const commands = new Set(chosen.map(how).sort((a, b) => order.indexOf(a) - order.indexOf(b)).map(({ command }) => command ?? `${commandOf(name)} {gaitsmith}`));
   for (const file of chosen) {
-    const { by, also = [], whole } = how(file), path = join(copy, file);
+    const { by, also = [], where = {}, whole } = how(file), path = join(copy, file);
     if (whole || !file.endsWith('.csv')) {
       rmSync(path);
       taken.push(`all of ${file}`);
@@ -125,7 +126,8 @@ function makeAgain(name, program, seed) {
     if (above[0]?.startsWith('# gaitsmith') && spawnSync(program, ['merge', '--complete', '--out', '/dev/null', path]).status !== 0)
       fail(`${name}: ${file} is not complete, so its command would go on with the rest`);
     if (by) {
-      const key = cells(rows[below(rows.length)] ?? '', by);
+      const drawn = rows.filter((row) => cells(row, Object.keys(where)) === Object.values(where).join(','));
+      const key = cells(drawn[below(drawn.length)] ?? '', by);
       for (const each of [file, ...also]) {
         const other = read(join(copy, each));
         writeFileSync(join(copy, each), `${[...other.above, ...other.rows.filter((row) => other.cells(row, by) !== key)].join('\n')}\n`);

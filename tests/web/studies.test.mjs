@@ -29,7 +29,7 @@ const OTHER = `#!/usr/bin/env bash
 printf 'n\\n7\\n' >"$(dirname "$0")/other.csv"
 `;
 const PLAN = { tables: {
-  '^groups': { by: ['part'], also: ['ends.csv'] }, '^ends': { kept: true }, '^timed': { whole: true, times: ['seconds'] },
+  '^groups': { by: ['part'], also: ['ends.csv'], where: { n: '1' } }, '^ends': { kept: true }, '^timed': { whole: true, times: ['seconds'] },
   '^whole': { whole: true, most: 1 }, '^other': { whole: true, command: 'other {gaitsmith} twice' } } };
 const TABLES = { 'rows.csv': 'n,square\n1,1\n2,4\n3,9\n4,16\n5,25\n6,36\n', 'groups.csv': 'part,n,value\na,1,1\na,2,4\nb,1,2\nb,2,5\n',
   'ends.csv': 'part,end\na,9\nb,8\n', 'timed.csv': 'n,seconds\n1,77\n', 'whole.csv': 'n\n2\n1\n', 'other.csv': 'n\n7\n' };
