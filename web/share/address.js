@@ -24,7 +24,8 @@ export class Address {
   constructor(app, busy) {
     this.app = app;
     this.busy = busy;
-    addEventListener('hashchange', () => this.open());
+    // The event's own address: the page may have written another one since the person changed it.
+    addEventListener('hashchange', ({ newURL }) => this.open(new URL(newURL).hash.slice(1)));
   }
 
   /** The complete address of the current document. */
@@ -32,10 +33,9 @@ export class Address {
   /** @param {string} payload */
   linkOf(payload) { return `${location.href.split(/[?#]/)[0]}#${payload}`; }
 
-  /** Opens the link in the address, if there is one. A damaged link changes nothing. @returns {boolean} whether it is open */
-  open() {
+  /** Opens the link in the address, if there is one. A damaged link changes nothing. @param {string} [payload] @returns {boolean} whether it is open */
+  open(payload = location.hash.slice(1)) {
     this.follow();
-    const payload = location.hash.slice(1);
     if (payload === '' || payload === this.app.link()) return payload !== '';
     const fault = this.app.show(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
