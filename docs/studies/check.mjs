@@ -35,8 +35,14 @@ const filesIn = (folder) => readdirSync(folder, { recursive: true, withFileTypes
   .map((entry) => relative(folder, join(entry.parentPath ?? entry.path, entry.name))).sort();
 const names = readdirSync(studies, { withFileTypes: true }).filter((entry) => entry.isDirectory()).map((entry) => entry.name).sort();
 const has = (/** @type {string} */ name, /** @type {string} */ file) => existsSync(join(studies, name, file));
+/** @type {Map<string, Plan>} */
+const plans = new Map();
 /** @param {string} name @returns {Plan} */
-const planOf = (name) => (has(name, 'check.json') ? JSON.parse(readFileSync(join(studies, name, 'check.json'), 'utf8')) : {});
+function planOf(name) {
+  const plan = plans.get(name) ?? (has(name, 'check.json') ? JSON.parse(readFileSync(join(studies, name, 'check.json'), 'utf8')) : {});
+  plans.set(name, plan);
+  return plan;
+}
 /** @param {string} name @returns {string[]} */
 const ignoredIn = (name) => (has(name, '.gitignore') ? readFileSync(join(studies, name, '.gitignore'), 'utf8').split('\n') : []);
 /** A study's data. @param {string} name */

@@ -26,6 +26,7 @@ ${wrong}
 `;
 const OTHER = `#!/usr/bin/env bash
 [ "$2" = twice ] || exit 5
+[ -e "$(dirname "$0")/whole.csv" ] || exit 6 # of a pattern before this one's
 printf 'n\\n7\\n' >"$(dirname "$0")/other.csv"
 `;
 const PLAN = { tables: {
@@ -74,7 +75,7 @@ test('studies: what comes out otherwise is noticed', () => {
     ['sed -i \'s/,[89]$/,7/\' ends.csv', 'other bytes in ends.csv'],
     ['printf \'n\\n1\\n2\\n\' >whole.csv', 'other bytes in whole.csv'],
     ['sed -i \'s/^1,/2,/\' timed.csv', 'other bytes in timed.csv'],
-    ['rm whole.csv', 'not made again: whole.csv'],
+    ['rm timed.csv', 'not made again: timed.csv'],
     ['exit 4', 'run ends with 4'],
   ]) {
     const { check, sums, end } = study({ wrong });
