@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second round of question.md. Resumable: rows that are there are kept.
-//   node docs/studies/transfer/robust/second.mjs GAITSMITH BOX2D_FIGURE [threads]   the built programs; writes second.csv
+//   node docs/studies/transfer/robust/second.mjs GAITSMITH BOX2D_FIGURE [threads [limited|strong]]   the built programs; writes second.csv
 // figure,joints,kind,seed,own,planck,rapier,box2d,mujoco: how far each comes [m].
 import { appendFileSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { ENGINES, FIGURES, run, waysOf } from '../engines.mjs';
 
-const [, , gaitsmith, box2d, threads = '2'] = process.argv;
+const [, , gaitsmith, box2d, threads = '2', only] = process.argv;
 const KINDS = { one: [20_000], five: [4000, 'worlds=5'], finer: [4000, 'worlds=5', 'finest_step=quarter'], short: [4000] };
 const SECONDS = 8;
 const file = fileURLToPath(new URL('second.csv', import.meta.url));
@@ -19,7 +19,7 @@ const known = new Set(readFileSync(file, 'utf8').split('\n').map(named));
 
 const scratch = mkdtempSync(join(tmpdir(), 'second-'));
 try {
-  for (const joints of ['limited', 'strong']) {
+  for (const joints of only ? [only] : ['limited', 'strong']) {
     for (const seed of [5001, 5002, 5003]) {
       for (const figure of FIGURES) {
         for (const [kind, [evaluations, ...options]] of Object.entries(KINDS)) {
