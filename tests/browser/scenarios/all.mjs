@@ -30,7 +30,7 @@ import { OUTAGE_SCENARIOS } from './outage.mjs';
 import { PALETTE_SCENARIOS } from './palette.mjs';
 import { QUEUE_SCENARIOS } from './queue.mjs';
 import { SECURITY_SCENARIOS } from './security.mjs';
-import { SHARE_SCENARIOS } from './share.mjs';
+import { SHARE_SCENARIOS, damagedLink } from './share.mjs';
 import { STORED_SCENARIOS } from './stored.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
@@ -223,29 +223,7 @@ export const MAIN_SCENARIOS = [
     await dieOnTheWay(visit, -3, /coordinator of the search stopped/);
   }],
 
-  ['a damaged link says what is wrong and leaves the work alone', async (visit) => {
-    const { page } = visit;
-    const before = await page.hash();
-    const link = await page.link();
-    // The page may write its own address before it hears of the person's.
-    await page.page.evaluate((damaged, own) => {
-      location.hash = damaged;
-      history.replaceState(null, '', own);
-    }, link.slice(link.indexOf('#'), -7), link);
-    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
-    const text = await page.call('banner', () => document.querySelector('#banner-text')?.textContent ?? '');
-    assert.match(text, /link/);
-    assert.match(text, /cut|damaged|truncated|ends|short/);
-    assert.equal(await page.hash(), before);
-    const covered = await page.call('cover', () => {
-      const banner = document.querySelector('#banner')?.getBoundingClientRect();
-      const canvas = document.querySelector('canvas')?.getBoundingClientRect();
-      return !banner || !canvas || banner.bottom > canvas.top + 1;
-    });
-    assert.ok(!covered, 'the banner covers the canvas');
-    await page.clickElement('#banner-close');
-    visit.figures['damaged link'] = text;
-  }],
+  ['a damaged link says what is wrong and leaves the work alone', damagedLink],
 
   ['the motion is described in words', async ({ page }) => {
     await page.forward(50);

@@ -300,6 +300,31 @@ async function wrongAddress({ browser, address }) {
   await page.close();
 }
 
+/** Part of the main visit. @param {Visit} visit */
+export async function damagedLink(visit) {
+  const { page } = visit;
+  const before = await page.hash();
+  const link = await page.link();
+  // The page may write its own address before it hears of the person's.
+  await page.page.evaluate((damaged, own) => {
+    location.hash = damaged;
+    history.replaceState(null, '', own);
+  }, link.slice(link.indexOf('#'), -7), link);
+  await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
+  const text = await page.call('banner', () => document.querySelector('#banner-text')?.textContent ?? '');
+  assert.match(text, /link/);
+  assert.match(text, /cut|damaged|truncated|ends|short/);
+  assert.equal(await page.hash(), before);
+  const covered = await page.call('cover', () => {
+    const banner = document.querySelector('#banner')?.getBoundingClientRect();
+    const canvas = document.querySelector('canvas')?.getBoundingClientRect();
+    return !banner || !canvas || banner.bottom > canvas.top + 1;
+  });
+  assert.ok(!covered, 'the banner covers the canvas');
+  await page.clickElement('#banner-close');
+  visit.figures['damaged link'] = text;
+}
+
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
