@@ -10,9 +10,9 @@
 //   "command"  what makes it, from the folder: words, with {gaitsmith} and {box2d} for programs. Else run or run.mjs
 //   "by"       columns: one row is drawn, and all that are the same in these go, because they are made together
 //   "also"     tables of which the same rows go
-//   "where"    values of columns: only such rows are drawn for "by", because others differ from processor to processor
+//   "where"    values of columns: only such rows are drawn for "by", because others do not come out again
 //   "whole"    the file goes, all of it is made again, and the order of its rows counts. "most": of so many files of this pattern
-//   "times"    columns that no run repeats, which are not compared
+//   "unlike"   columns that do not come out again, such as times, and are not compared
 //   "kept"     the file is made with others: nothing is taken out of it, but it is compared
 // Commands run in the order of their patterns. Files that the folder's .gitignore names are neither data nor copied.
 import { spawnSync } from 'node:child_process';
@@ -20,10 +20,10 @@ import { createHash, randomInt } from 'node:crypto';
 import { accessSync, constants, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
 
-/** @typedef {{command?: string, by?: string[], also?: string[], where?: Record<string, string>, whole?: boolean, most?: number, times?: string[], kept?: boolean}} How */
+/** @typedef {{command?: string, by?: string[], also?: string[], where?: Record<string, string>, whole?: boolean, most?: number, unlike?: string[], kept?: boolean}} How */
 /** @typedef {{log?: string, tables?: Record<string, How>}} Plan */
 const MOST_TABLES = 10, ROWS = 3;
-const WORDS = ['command', 'by', 'also', 'where', 'whole', 'most', 'times', 'kept'];
+const WORDS = ['command', 'by', 'also', 'where', 'whole', 'most', 'unlike', 'kept'];
 const studies = import.meta.dirname, root = join(studies, '../..');
 /** @param {string} what @returns {never} */
 function fail(what) {
@@ -92,72 +92,94 @@ function read(path) {
   return { above: lines.slice(0, head + 1), columns, rows: lines.slice(head + 1), cells };
 }
 /** What a run repeats of a file. Rows that are made again come last, so their order does not count. @param {string} path @param {How} how */
-function lasting(path, { times = [], whole }) {
-  if (!path.endsWith('.csv') || (whole && !times.length)) return readFileSync(path, 'utf8');
+function lasting(path, { unlike = [], whole }) {
+  if (!path.endsWith('.csv') || (whole && !unlike.length)) return readFileSync(path, 'utf8');
   const { above, columns, rows, cells } = read(path);
-  const kept = columns.filter((column) => !times.includes(column));
-  const lines = rows.map((row) => (times.length ? cells(row, kept) : row));
+  const kept = columns.filter((column) => !unlike.includes(column));
+  const lines = rows.map((row) => (unlike.length ? cells(row, kept) : row));
   return [...above, ...(whole ? lines : lines.sort())].join('\n');
+}
+
+/** Copies a study to where the rest of the repository is linked. @param {string} name @param {string} place @returns {string} the copy */
+function copyTo(name, place) {
+  const copy = join(place, 'docs/studies', name);
+  const link = (/** @type {string} */ folder, /** @type {string} */ without) => {
+    for (const entry of readdirSync(join(root, folder))) if (entry !== without) symlinkSync(join(root, folder, entry), join(place, folder, entry));
+  };
+  rmSync(place, { recursive: true, force: true });
+  mkdirSync(join(place, 'docs/studies'), { recursive: true });
+  link('', 'docs');
+  link('docs', 'studies');
+  link('docs/studies', name);
+  cpSync(join(studies, name), copy, { recursive: true, filter: (from) => !ignoredIn(name).includes(basename(from)) });
+  return copy;
+}
+
+/** The files from which something is taken. @param {string} name @param {(bound: number) => number} below  a random number */
+function draw(name, below) {
+  const how = howOf(name), chosen = dataOf(name).filter((file) => !how(file).kept);
+  const drop = (/** @type {(file: string) => boolean} */ fits, /** @type {number} */ most) => {
+    for (let of = chosen.filter(fits); of.length > most; of = chosen.filter(fits)) chosen.splice(chosen.indexOf(of[below(of.length)] ?? ''), 1);
+  };
+  for (const way of new Set(chosen.map(how))) if (way.most) drop((file) => how(file) === way, way.most);
+  drop(() => true, MOST_TABLES);
+  return chosen;
+}
+
+/** Takes out of a table what is to be made again, and says what. @param {string} copy @param {string} file @param {How} how @param {(bound: number) => number} below @returns {string} */
+function takeFrom(copy, file, { by, also = [], where = {}, whole }, below) {
+  if (whole || !file.endsWith('.csv')) {
+    rmSync(join(copy, file));
+    return `all of ${file}`;
+  }
+  const write = (/** @type {string} */ name, /** @type {string[]} */ lines) => writeFileSync(join(copy, name), `${lines.join('\n')}\n`);
+  const { above, rows, cells } = read(join(copy, file));
+  if (by) {
+    const drawn = rows.filter((row) => cells(row, Object.keys(where)) === Object.values(where).join(','));
+    const key = cells(drawn[below(drawn.length)] ?? '', by);
+    for (const each of [file, ...also]) {
+      const table = read(join(copy, each));
+      write(each, [...table.above, ...table.rows.filter((row) => table.cells(row, by) !== key)]);
+    }
+    return `${key} of ${[file, ...also].join(', ')}`;
+  }
+  const left = [...rows];
+  for (let i = 0; i < ROWS && left.length; i++) left.splice(below(left.length), 1);
+  write(file, [...above, ...left]);
+  return `${rows.length - left.length} rows of ${file}`;
+}
+
+/** Runs what makes these files, each command once. @param {string} name @param {string[]} files @param {string} copy @param {string} program */
+function run(name, files, copy, program) {
+  const order = Object.values(planOf(name).tables ?? {});
+  const ways = files.map(howOf(name)).sort((a, b) => order.indexOf(a) - order.indexOf(b));
+  const programs = new Map([['{gaitsmith}', resolve(program)], ['{box2d}', join(root, 'build/release/examples/box2d_figure')]]);
+  for (const command of new Set(ways.map((way) => way.command ?? `${commandOf(name)} {gaitsmith}`))) {
+    const [script = '', ...words] = command.split(' ');
+    const line = [join(copy, script), ...words.map((word) => programs.get(word) ?? word)];
+    if (script.endsWith('.mjs')) line.unshift(process.execPath);
+    const done = spawnSync(line[0] ?? '', line.slice(1), { cwd: join(copy, '../../..'), stdio: ['ignore', 'ignore', 'inherit'] });
+    if (done.status !== 0) fail(`${name}: ${script} ends with ${done.status ?? done.error?.message}`);
+  }
 }
 
 /** @param {string} name @param {string} program @param {number} seed */
 function makeAgain(name, program, seed) {
   let state = seed; // the same numbers for the same seed
   const below = (/** @type {number} */ bound) => (state = (state * 48271) % 2147483647) % bound;
-  const study = join(studies, name), how = howOf(name), place = join(root, 'build/study-check', name), copy = join(place, 'docs/studies', name);
-  rmSync(place, { recursive: true, force: true });
-  mkdirSync(join(place, 'docs/studies'), { recursive: true });
-  for (const entry of readdirSync(root)) if (entry !== 'docs') symlinkSync(join(root, entry), join(place, entry));
-  for (const entry of readdirSync(join(root, 'docs'))) if (entry !== 'studies') symlinkSync(join(root, 'docs', entry), join(place, 'docs', entry));
-  for (const entry of readdirSync(studies)) if (entry !== name) symlinkSync(join(studies, entry), join(place, 'docs/studies', entry));
-  cpSync(study, copy, { recursive: true, filter: (from) => !ignoredIn(name).includes(basename(from)) });
-
-  const tables = dataOf(name), chosen = tables.filter((file) => !how(file).kept);
-  const drop = (/** @type {(file: string) => boolean} */ fits, /** @type {number} */ most) => {
-    for (let of = chosen.filter(fits); of.length > most; of = chosen.filter(fits)) chosen.splice(chosen.indexOf(of[below(of.length)] ?? ''), 1);
-  };
-  for (const way of new Set(chosen.map(how))) if (way.most) drop((file) => how(file) === way, way.most);
-  drop(() => true, MOST_TABLES);
-  const taken = /** @type {string[]} */ ([]);
-  const order = Object.values(planOf(name).tables ?? {});
-  const commands = new Set(chosen.map(how).sort((a, b) => order.indexOf(a) - order.indexOf(b)).map(({ command }) => command ?? `${commandOf(name)} {gaitsmith}`));
-  for (const file of chosen) {
-    const { by, also = [], where = {}, whole } = how(file), path = join(copy, file);
-    if (whole || !file.endsWith('.csv')) {
-      rmSync(path);
-      taken.push(`all of ${file}`);
-      continue;
-    }
-    const { above, columns, rows, cells } = read(path);
-    if (above[0]?.startsWith('# gaitsmith') && spawnSync(program, ['merge', '--complete', '--out', '/dev/null', path]).status !== 0)
+  const study = join(studies, name), how = howOf(name), place = join(root, 'build/study-check', name), copy = copyTo(name, place);
+  const files = draw(name, below);
+  for (const file of files) {
+    if (!file.endsWith('.csv') || !read(join(copy, file)).above[0]?.startsWith('# gaitsmith')) continue;
+    if (spawnSync(program, ['merge', '--complete', '--out', '/dev/null', join(copy, file)]).status !== 0)
       fail(`${name}: ${file} is not complete, so its command would go on with the rest`);
-    if (by) {
-      const drawn = rows.filter((row) => cells(row, Object.keys(where)) === Object.values(where).join(','));
-      const key = cells(drawn[below(drawn.length)] ?? '', by);
-      for (const each of [file, ...also]) {
-        const other = read(join(copy, each));
-        writeFileSync(join(copy, each), `${[...other.above, ...other.rows.filter((row) => other.cells(row, by) !== key)].join('\n')}\n`);
-      }
-      taken.push(`${key} of ${[file, ...also].join(', ')}`);
-      continue;
-    }
-    const left = [...rows];
-    for (let i = 0; i < ROWS && left.length; i++) left.splice(below(left.length), 1);
-    writeFileSync(path, `${[...above, ...left].join('\n')}\n`);
-    taken.push(`${rows.length - left.length} rows of ${columns.length} columns of ${file}`);
   }
+  const taken = files.map((file) => takeFrom(copy, file, how(file), below));
   console.log(`${name}, seed ${seed}: to be made again are\n  ${taken.join('\n  ')}`);
-  for (const command of commands) {
-    const [script = '', ...words] = String(command).split(' ');
-    const programs = { '{gaitsmith}': resolve(program), '{box2d}': join(root, 'build/release/examples/box2d_figure') };
-    const given = [join(copy, script), ...words.map((word) => programs[/** @type {keyof typeof programs} */ (word)] ?? word)];
-    const [first = '', ...rest] = script.endsWith('.mjs') ? [process.execPath, ...given] : given;
-    const done = spawnSync(first, rest, { cwd: place, stdio: ['ignore', 'ignore', 'inherit'] });
-    if (done.status !== 0) fail(`${name}: ${script} ends with ${done.status ?? done.error?.message}`);
-  }
-  const gone = tables.filter((file) => !existsSync(join(copy, file)));
+  run(name, files, copy, program);
+  const gone = dataOf(name).filter((file) => !existsSync(join(copy, file)));
   if (gone.length) fail(`${name}: not made again: ${gone.join(', ')}`);
-  const other = tables.filter((file) => lasting(join(study, file), how(file)) !== lasting(join(copy, file), how(file)));
+  const other = dataOf(name).filter((file) => lasting(join(study, file), how(file)) !== lasting(join(copy, file), how(file)));
   if (other.length) fail(`${name}: other bytes in ${other.join(', ')}; compare docs/studies/${name} with build/study-check/${name}/docs/studies/${name}`);
   console.log(`${name}: the same bytes`);
   rmSync(place, { recursive: true, force: true });

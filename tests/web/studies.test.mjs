@@ -30,7 +30,7 @@ const OTHER = `#!/usr/bin/env bash
 printf 'n\\n7\\n' >"$(dirname "$0")/other.csv"
 `;
 const PLAN = { tables: {
-  '^groups': { by: ['part'], also: ['ends.csv'], where: { n: '1' } }, '^ends': { kept: true }, '^timed': { whole: true, times: ['seconds'] },
+  '^groups': { by: ['part'], also: ['ends.csv'], where: { n: '1' } }, '^ends': { kept: true }, '^timed': { whole: true, unlike: ['seconds'] },
   '^whole': { whole: true, most: 1 }, '^other': { whole: true, command: 'other {gaitsmith} twice' } } };
 const TABLES = { 'rows.csv': 'n,square\n1,1\n2,4\n3,9\n4,16\n5,25\n6,36\n', 'groups.csv': 'part,n,value\na,1,1\na,2,4\nb,1,2\nb,2,5\n',
   'ends.csv': 'part,end\na,9\nb,8\n', 'timed.csv': 'n,seconds\n1,77\n', 'whole.csv': 'n\n2\n1\n', 'other.csv': 'n\n7\n' };
@@ -57,7 +57,7 @@ test('studies: rows, groups, whole files and other commands are made again, for 
   for (const seed of ['1', '2', '3', '44', '999999999']) {
     const { status, said } = check('made-up', PROGRAM, seed);
     assert.equal(status, 0, said);
-    for (const words of ['3 rows of 2 columns of rows.csv', /[ab] of groups.csv, ends.csv/, 'all of whole.csv', 'all of other.csv', 'all of timed.csv', 'the same bytes'])
+    for (const words of ['3 rows of rows.csv', /[ab] of groups.csv, ends.csv/, 'all of whole.csv', 'all of other.csv', 'all of timed.csv', 'the same bytes'])
       assert.match(said, new RegExp(words));
   }
   assert.ok(!existsSync(copy), 'the copy goes');
